@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// TOML text <-> described structs (see fields.h).
+#pragma once
+
+#include <functional>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+#include "common/config/fields.h"
+
+namespace k3d::config {
+
+/// What is wrong, with "file:line: " in front, all faults of the file at once, one a line.
+class ConfigError : public std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+using Describe = std::function<void(Fields&)>;
+
+/// Sets the fields that the text names. Unknown key (with the nearest known one), wrong type or
+/// out-of-range value: ConfigError, and no field is changed. `file` is used in messages.
+void load_text(const Describe& describe, std::string_view toml, std::string_view file);
+/// The same for a file; a missing or unreadable file is a ConfigError that names it.
+void load_file(const Describe& describe, const std::string& path);
+/// Sets one field by path, as flags do: set(d, "walk.step_height", "0.03").
+void set(const Describe& describe, std::string_view path, std::string_view value);
+/// The resolved configuration as TOML, each field with its unit, range and meaning as a comment.
+std::string print(const Describe& describe);
+
+template <class Struct>
+Describe describing(Struct& s) {
+    return [&s](Fields& fields) { s.describe(fields); };
+}
+
+}  // namespace k3d::config

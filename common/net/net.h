@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Sockets of the product: framed TCP connections driven by one single-threaded loop.
+// The only folder (with common/http) that includes Asio; nothing of Asio shows in this header.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+namespace k3d::net {
+
+using Clock = std::chrono::steady_clock;
+
+/// What a socket call could not do, with address and port in the message.
+class NetError : public std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+/// The event loop. Everything happens inside poll() and wait(); no threads.
+class Loop {
+  public:
+    Loop();
+    ~Loop();
+    Loop(const Loop&) = delete;
+    Loop& operator=(const Loop&) = delete;
+
+    void poll();                                                ///< run what is ready now
+    /// Runs handlers until `done()` holds (true) or the deadline passes (false).
+    bool wait(Clock::time_point deadline, const std::function<bool()>& done);
+
+    struct Impl;
+    Impl& impl() { return *impl_; }
+
+  private:
+    std::unique_ptr<Impl> impl_;
+};
+
+/// One framed TCP connection. Reading goes on in the background of the loop up to
+/// kMaxBufferedIn bytes, then waits for the owner (back-pressure on the peer).
+class Connection {
+  public:
+    static constexpr std::size_t kMaxBufferedIn = 256 * 1024;
+
+    virtual ~Connection() = default;
+
+    /// Oldest whole frame not yet taken; the view is valid until the next call on this connection
+    /// or on the loop.
+    virtual bool next_frame(std::string_view& payload) = 0;
+    /// Takes prefix and payload to the kernel in one write. If an earlier frame's tail is still
+    /// unsent, this frame is dropped whole, so framing never breaks and nothing blocks
+    /// (reference 1.8). Returns false if dropped.
+    virtual bool send(std::string_view payload) = 0;
+    virtual bool closed() const = 0;                  ///< by the peer, by an error or by close()
+    virtual const std::string& close_reason() const = 0;  ///< "peer closed", "frame of 4294967295 bytes announced, limit 65536", ...
+    virtual const std::string& peer() const = 0;      ///< "127.0.0.1:51234"
+    virtual void close(std::string_view reason) = 0;
+};
+
+/// Listens and hands over every accepted connection.
+class Listener {
+  public:
+    using OnAccept = std::function<void(std::unique_ptr<Connection>)>;
+    /// Port 0 takes any free one. Throws NetError, e.g. "cannot listen on 127.0.0.1:3100: Address already in use".
+    Listener(Loop& loop, const std::string& address, std::uint16_t port, OnAccept on_accept);
+    ~Listener();
+    std::uint16_t port() const;
+
+  private:
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+/// Blocking client end, as an agent uses it.
+class Client {
+  public:
+    /// Retries until the deadline (the server may still be starting). Throws NetError.
+    Client(const std::string& host, std::uint16_t port, std::chrono::milliseconds patience);
+    ~Client();
+
+    void send(std::string_view payload);                       ///< throws NetError if closed
+    /// Next payload; false if the server closed the connection in order. The view is valid until
+    /// the next call. Throws NetError on errors or after `patience` without a frame.
+    bool receive(std::string_view& payload, std::chrono::milliseconds patience);
+
+  private:
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace k3d::net

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Trainer commands on the monitor port (SimSpark reference 8.5), with both codecs.
+// Coordinates are absolute field coordinates for both teams.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "common/math/geometry.h"
+#include "common/wire/percepts.h"
+
+namespace k3d::wire {
+
+struct BallCommand {  ///< `(ball (pos x y z) (vel vx vy vz))`; vel also zeroes the spin
+    std::optional<Vec3> position, velocity;
+};
+struct AgentCommand {  ///< `(agent (unum N)(team Left)(pos ..) | (move x y z a))`
+    int unum = 0;
+    Side team = Side::None;
+    std::optional<Vec3> position;
+    std::optional<double> yaw_deg;  ///< `move` only: 0 = forward axis along world +y
+};
+struct PlayModeCommand { std::string mode; };          ///< `(playMode PlayOn)`
+struct KickOffCommand { Side side = Side::None; };     ///< `(kickOff Left|Right|None)`
+struct DropBallCommand {};                             ///< `(dropBall)`
+struct TimeCommand { double time = 0.0; };             ///< `(time T)`, T >= 0
+struct ScoreCommand { int left = 0, right = 0; };      ///< `(score (left N)(right M))`
+struct KillCommand { int unum = 0; Side team = Side::None; };   ///< `(kill (unum N)(team Left))`
+struct ReposCommand { int unum = 0; Side team = Side::None; };  ///< `(repos (unum N)(team Left))`
+struct FullStateCommand {};                            ///< `(reqfullstate)`
+struct KillSimCommand {};                              ///< `(killsim)`
+struct TrainerSynCommand {};                           ///< `(syn)`: this trainer joins the barrier
+
+using TrainerCommand =
+    std::variant<BallCommand, AgentCommand, PlayModeCommand, KickOffCommand, DropBallCommand,
+                 TimeCommand, ScoreCommand, KillCommand, ReposCommand, FullStateCommand,
+                 KillSimCommand, TrainerSynCommand>;
+
+void encode(const TrainerCommand& command, std::string& out);
+
+/// Appends the commands of a payload in order; unknown or damaged ones are skipped and counted.
+int decode(std::string_view payload, std::vector<TrainerCommand>& commands);
+
+}  // namespace k3d::wire

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "server/body/arena.h"
+
+#include <ode/ode.h>
+
+#include "common/field/field.h"
+
+namespace k3d::server::body {
+
+Arena::Arena(physics::World& world) {
+    const dSpaceID group = world.add_group();  // destroyed, with its geoms, by the world
+    dGeomSetData(dCreatePlane(group, 0, 0, 1, 0), &ground_);
+    for (const field::SolidBox& box : field::solids()) {
+        const dGeomID geom = dCreateBox(group, box.size.x(), box.size.y(), box.size.z());
+        dGeomSetPosition(geom, box.centre.x(), box.centre.y(), box.centre.z());
+        dGeomSetData(geom, &solid_);
+    }
+}
+
+}  // namespace k3d::server::body

@@ -42,25 +42,31 @@ bool decode_init(const Node& list, Commands& commands) {
     return true;
 }
 
+// Arguments too many are ignored, as the reference does: `(say two words)` says "two".
+
+std::optional<double> number_at(const Node& list, int position) {
+    const auto n = list.at(position);
+    return n ? n->number() : std::nullopt;
+}
+
 bool decode_beam(const Node& list, Commands& commands) {
-    if (list.size() != 4) return false;
-    const auto x = list.at(1)->number();
-    const auto y = list.at(2)->number();
-    const auto angle = list.at(3)->number();
+    const auto x = number_at(list, 1);
+    const auto y = number_at(list, 2);
+    const auto angle = number_at(list, 3);
     if (!x || !y || !angle) return false;
     commands.beam = BeamCommand{*x, *y, *angle};
     return true;
 }
 
 bool decode_say(const Node& list, Commands& commands) {
-    if (list.size() != 2 || list.at(1)->is_list()) return false;
-    commands.say.emplace_back(list.at(1)->atom());
+    const auto text = list.at(1);
+    if (!text || text->is_list()) return false;
+    commands.say.emplace_back(text->atom());
     return true;
 }
 
 bool decode_joint(nao::JointId id, const Node& list, Commands& commands) {
-    if (list.size() != 2) return false;
-    const auto rate = list.at(1)->number();
+    const auto rate = number_at(list, 1);
     if (!rate) return false;
     commands.joint_rates[nao::index(id)] = *rate;
     return true;

@@ -71,7 +71,7 @@ class Listener {
 
   private:
     struct Impl;
-    std::unique_ptr<Impl> impl_;
+    std::shared_ptr<Impl> impl_;
 };
 
 /// Blocking client end, as an agent uses it.

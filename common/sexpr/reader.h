@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // S-expression reader that copies nothing: nodes are views into the text, kept in one reused array.
 //
-// Atoms are runs of printable bytes other than blank and parentheses; blank, tab, CR and LF
-// separate. Depth and node count are bounded, so no input can exhaust stack or memory.
+// Atoms are runs of bytes other than blank, tab, CR, LF and parentheses; there are no comments,
+// quotes or escapes. Depth and node count are bounded, so no input can exhaust stack or memory.
 #pragma once
 
 #include <cstdint>

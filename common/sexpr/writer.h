@@ -7,13 +7,16 @@
 
 namespace k3d::sexpr {
 
-/// Fixed notation with `decimals` (0..6) places, rounded half away from zero like printf of the
-/// decimal value; "-0.00" is written as the reference does. Non-finite values are written as "nan".
+/// Fixed notation with `decimals` (0..6) places: the bytes of printf("%.*f"), so "-0.00" for small
+/// negative values as the reference writes it. Non-finite values are written as "nan".
 void append_fixed(double value, int decimals, std::string& out);
 
 void append_integer(long long value, std::string& out);
 
 /// Six significant digits, no trailing zeros: the default stream form used on the monitor port.
 void append_general(double value, std::string& out);
+
+/// Shortest text that reads back as the same double; may hold an exponent.
+void append_exact(double value, std::string& out);
 
 }  // namespace k3d::sexpr

@@ -41,8 +41,8 @@ struct Commands {
 void encode(const Commands& commands, std::string& out);
 
 /// Adds the commands of a payload to `commands` (not reset). Unknown predicates (`proxy`, ...) are
-/// skipped, damaged ones and non-finite numbers dropped; the number of those is returned. After an
-/// unbalanced parenthesis the complete expressions before it still count. Never throws.
+/// skipped, damaged ones and non-finite numbers dropped; the number of both is returned. After an
+/// unbalanced parenthesis the complete expressions before it still count. No input makes it throw.
 int decode(std::string_view payload, Commands& commands);
 
 }  // namespace k3d::wire

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The game as everybody is told of it, and which robots touch the ball.
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "server/body/scene.h"
+#include "server/game/play_mode.h"
+
+namespace k3d::server::game {
+
+struct GameState {
+    PlayMode mode = PlayMode::BeforeKickOff;
+    double time = 0.0;        ///< game time, s: stands still in BeforeKickOff and GameOver
+    double mode_time = 0.0;   ///< simulated time since the mode was entered, s
+    int score_left = 0;
+    int score_right = 0;
+    std::string team_left, team_right;  ///< empty until known
+
+    void enter(PlayMode next) {
+        mode = next;
+        mode_time = 0.0;
+    }
+    /// One cycle later.
+    void advance();
+};
+
+/// Ids of the players whose robots touched the ball in the last step.
+std::vector<int> ball_touchers(std::span<const physics::Contact> contacts);
+
+}  // namespace k3d::server::game

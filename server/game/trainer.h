@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What a trainer's command does to scene and game (reference 8.5).
+#pragma once
+
+#include <string>
+
+#include "common/wire/trainer.h"
+#include "server/game/game.h"
+
+namespace k3d::server::game {
+
+/// What the sessions must do after a command.
+struct TrainerEffect {
+    bool end_simulation = false;
+    std::optional<int> killed;  ///< id of a player to remove
+};
+
+/// Carries the command out. A command for an unknown player or mode has no effect (reference A.2).
+TrainerEffect apply(const wire::TrainerCommand& command, body::Scene& scene, Game& game);
+
+}  // namespace k3d::server::game

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Which code this is, for results that must be traceable.
+#pragma once
+
+#include <string_view>
+
+namespace k3d {
+
+/// Version and commit, e.g. "0.1.0+4b65ab3", with "-dirty" if the tree had changes; without a git
+/// checkout only the version.
+std::string_view code_version();
+
+}  // namespace k3d

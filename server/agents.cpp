@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Simulation: what agents' commands do, and how agents come and go.
+#include <algorithm>
+
+#include "common/log/log.h"
+#include "server/cycle.h"
+#include "server/game/trainer.h"
+
+namespace k3d::server {
+
+namespace {
+/// An agent with fewer percepts than this counts as synced (reference 2.3): it is still starting.
+constexpr int kGracePercepts = 5;
+}  // namespace
+
+bool Simulation::everybody_synced() {
+    return std::all_of(agents_.begin(), agents_.end(), [this](const auto& agent) {
+        if (agent->connection->closed() || !agent->player) return true;
+        agent->read_frames();
+        return agent->synced || agent->percepts_sent < kGracePercepts;
+    });
+}
+
+void Simulation::drop_closed_agents() {
+    for (const auto& agent : agents_) {
+        if (agent->connection->closed() && !agent->lost) {
+            lose(*agent, agent->connection->close_reason());
+        }
+    }
+    std::erase_if(agents_, [](const auto& agent) { return agent->connection->closed(); });
+}
+
+void Simulation::lose(session::AgentSession& agent, const std::string& why) {
+    const std::string name = agent.name();
+    spdlog::info("{} left: {}", name, why);
+    agent.connection->close(why);
+    agent.lost = true;
+    if (agent.seat) teams_.release(*agent.seat);
+    auto* keepaway = std::get_if<game::Keepaway>(&game_);
+    if (agent.player && keepaway != nullptr && !keepaway->over()) {
+        keepaway->abort(episode::Status::AgentLost, name + ": " + why);
+        agent.player.reset();  // the robot stays where it is until the episode's end
+    } else {
+        remove_player(agent);
+    }
+}
+
+void Simulation::remove_player(session::AgentSession& agent) {
+    if (agent.player) scene_->remove_player(*agent.player);
+    agent.player.reset();
+}
+
+void Simulation::load_robot(session::AgentSession& agent) {
+    const wire::SceneCommand& scene = *agent.commands.scene;
+    const auto type = session::robot_type(scene);
+    if (agent.type) {
+        spdlog::warn("{}: a second scene is ignored", agent.name());
+    } else if (!type) {
+        spdlog::warn("{}: robot type '{}' is not in 0..{}", agent.name(), scene.arguments.front(),
+                     nao::kTypeCount - 1);
+    } else {
+        agent.type = *type;
+        if (!lobby_) {
+            // The reference builds every robot at this spot, whence it drops until placed.
+            agent.player = scene_->add_player(*type, {0.0, -1.0, 1.5}).id;
+            begin_percepts(agent);
+        }
+    }
+    agent.commands.scene.reset();
+}
+
+void Simulation::take_seat(session::AgentSession& agent) {
+    const wire::InitCommand init = *agent.commands.init;
+    agent.commands.init.reset();
+    if (agent.seat) {
+        spdlog::warn("{}: a second init is ignored", agent.name());
+        return;
+    }
+    const auto seat = teams_.assign(init);
+    if (!seat) {
+        spdlog::warn("{} gets no seat: {}", agent.name(), seat.error());
+        return;
+    }
+    agent.team_name = init.team;
+    agent.seat = *seat;
+    spdlog::info("{} is {} of team '{}'", agent.connection->peer(), agent.name(), init.team);
+    game::GameState& state = game::state(game_);
+    state.team_left = teams_.left();
+    state.team_right = teams_.right();
+    if (!agent.player) return;
+    body::Player& player = *scene_->find(*agent.player);
+    player.team = seat->team;
+    player.unum = seat->unum;
+    player.team_name = init.team;
+    const double heading = seat->team == wire::Side::Left ? 0.0 : kPi;
+    player.robot->place(game::Soccer::start_slot(seat->team, seat->unum), heading);
+}
+
+void Simulation::act(session::AgentSession& agent) {
+    wire::Commands& commands = agent.commands;
+    if (agent.player) {
+        body::Robot& robot = *scene_->find(*agent.player)->robot;
+        for (std::size_t j = 0; j < nao::kJointCount; ++j) {
+            if (const auto& rate = commands.joint_rates[j]) {
+                robot.drive(static_cast<nao::JointId>(j), *rate);
+            }
+        }
+        for (const std::string& text : commands.say) say(agent, text);
+    }
+    commands.joint_rates = {};
+    commands.say.clear();
+    commands.syn = false;
+    commands.pass = false;  // pass mode exists in soccer proper only
+}
+
+void Simulation::say(session::AgentSession& agent, const std::string& text) {
+    const body::Player& speaker = *scene_->find(*agent.player);
+    if (!agent.seat || !effectors::sayable(text)) return;
+    const double time = game::state(game_).time;
+    agent.ear.hear_self(text, time, speaker.team_name);
+    for (const auto& other : agents_) {
+        if (other.get() == &agent || !other->player || !other->seat) continue;
+        other->ear.hear_other(*scene_->find(*other->player), speaker, text, time);
+    }
+}
+
+void Simulation::carry_out_stored_commands() {
+    for (const auto& agent : agents_) {
+        // init needs the robot that scene built in an earlier cycle (reference 1.5).
+        const bool loaded_before = agent->type.has_value();
+        if (agent->commands.scene) load_robot(*agent);
+        if (agent->commands.init && loaded_before) take_seat(*agent);
+        agent->commands.init.reset();
+        if (agent->commands.beam && agent->player && agent->seat && game::beam_allowed(game_)) {
+            effectors::beam(*scene_->find(*agent->player), *agent->commands.beam, config_.beam,
+                            *agent->beam_noise);
+        }
+        agent->commands.beam.reset();
+    }
+}
+
+void Simulation::obey_trainers() {
+    constexpr int kMonitorCycles = 2;  // the monitor port is served every 40 ms (reference 2.4)
+    if (clock_.count % kMonitorCycles != 0) return;
+    for (const wire::TrainerCommand& command : monitors_.read()) {
+        const game::TrainerEffect effect = game::apply(command, *scene_, game_);
+        end_ = end_ || effect.end_simulation;
+        if (!effect.killed) continue;
+        for (const auto& agent : agents_) {
+            if (agent->player == effect.killed) remove_player(*agent);
+        }
+    }
+}
+
+}  // namespace k3d::server

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Everything that can be set of the server: TOML sections, and the flags that override them.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "common/config/fields.h"
+#include "server/effectors/beam.h"
+#include "server/game/keepaway/config.h"
+#include "server/game/soccer/soccer.h"
+#include "server/percepts/vision.h"
+
+namespace k3d::server {
+
+struct NetworkConfig {
+    std::string listen = "127.0.0.1";
+    int agent_port = 3100;
+    int server_port = 3200;
+    int http_port = -1;
+
+    void describe(config::Fields& f) {
+        f.text("listen", listen, {}, "address of all ports");
+        f.integer("agent_port", agent_port, {0, 65535}, "", "for agents; 0 = any free port");
+        f.integer("server_port", server_port, {0, 65535}, "", "for trainers; 0 = any free port");
+        f.integer("http_port", http_port, {-1, 65535}, "", "for the page; 0 = any, -1 = no page");
+    }
+};
+
+struct PaceConfig {
+    std::string mode = "realtime";
+    double hung_agent = 30.0;
+    double lobby = 0.0;
+
+    void describe(config::Fields& f) {
+        f.text("mode", mode, {"realtime", "sync", "fast"},
+               "realtime: wall clock, waits for nobody; sync: waits for every agent's (syn), at "
+               "most wall-clock speed; fast: waits for every agent, no clock");
+        f.number("hung_agent", hung_agent, {0.1, 3600.0}, "s",
+                 "wall time an agent may keep the others waiting");
+        f.number("lobby", lobby, {0.0, 86400.0}, "s",
+                 "wall time in which all keepaway seats must be taken; 0 = no limit");
+    }
+};
+
+struct Config {
+    std::string game = "soccer";
+    std::uint64_t seed = 1;
+    int episodes = 1;
+    std::string left_team;
+    std::string right_team;
+    NetworkConfig network;
+    PaceConfig pace;
+    percepts::VisionConfig vision;
+    effectors::BeamConfig beam;
+    game::KeepawayConfig keepaway;
+    game::SoccerConfig soccer;
+
+    void describe(config::Fields& f) {
+        f.text("game", game, {"soccer", "keepaway"}, "rules in force");
+        f.seed("seed", seed, "of all random streams; episode k of a process uses seed + k - 1");
+        f.integer("episodes", episodes, {1, 1000000}, "", "keepaway episodes before the server ends");
+        f.text("left_team", left_team, {}, "name reserved for the left side; empty: first come");
+        f.text("right_team", right_team, {}, "name reserved for the right side; empty: second come");
+        f.section("network", network);
+        f.section("pace", pace);
+        f.section("vision", vision);
+        f.section("beam", beam);
+        f.section("keepaway", keepaway);
+        f.section("soccer", soccer);
+    }
+};
+
+}  // namespace k3d::server

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// One 20 ms frame, in the reference's order (2.1): what is read now acts at once, what was sensed
+// at the end of the last cycle is sent now; hence the protocol's one cycle of latency.
+#include "server/cycle.h"
+
+#include "common/log/log.h"
+
+namespace k3d::server {
+
+void Simulation::run_cycle() {
+    // 1. Commands that have arrived: joint rates, say and syn act at once. By pace, wait for all.
+    read_commands();
+    // 2. The percepts generated at the end of the cycle before.
+    send_percepts();
+    // 3. Before the physics: what was stored (scene, init, beam), trainers, velocity sensors.
+    carry_out_stored_commands();
+    obey_trainers();
+    for (const auto& agent : agents_) {
+        if (agent->player) agent->senses->before_step(*scene_->find(*agent->player));
+    }
+    game::before_step(game_, *scene_);
+    // 4, 5. Collide and step.
+    step_physics();
+    // 6. Rules and counters.
+    update_game();
+    // 7. The clock.
+    ++clock_;
+    // 8. Percepts for the next cycle, and the page.
+    sense();
+    show();
+}
+
+void Simulation::read_commands() {
+    pacer_.wait_for_clock(loop_);
+    if (pacer_.waits_for_agents() &&
+        !pacer_.wait_for_agents(loop_, [this] { return everybody_synced(); })) {
+        for (const auto& agent : agents_) {
+            if (agent->player && !agent->synced) lose(*agent, "hung");
+        }
+    }
+    drop_closed_agents();
+    for (const auto& agent : agents_) {
+        agent->read_frames();
+        act(*agent);
+    }
+}
+
+void Simulation::send_percepts() {
+    for (const auto& agent : agents_) agent->send_percepts();
+}
+
+void Simulation::step_physics() {
+    try {
+        scene_->world.step();
+        hash_ = scene_->world.hash(hash_);
+    } catch (const physics::Diverged& error) {
+        spdlog::error("physics diverged at {:.2f} s: {}", clock_.seconds(), error.what());
+        if (auto* keepaway = std::get_if<game::Keepaway>(&game_)) {
+            keepaway->abort(episode::Status::Diverged, error.what());
+            cycles_since_over_ = kGameOverCycles;  // no further step of a broken world
+        } else {
+            end_ = true;
+        }
+    }
+}
+
+void Simulation::update_game() {
+    game::after_step(game_, *scene_);
+    if (game::over(game_)) finish_episode();
+}
+
+void Simulation::sense() {
+    const game::GameState& state = game::state(game_);
+    for (const auto& agent : agents_) {
+        if (!agent->player) continue;
+        const body::Player& self = *scene_->find(*agent->player);
+        agent->senses->after_step(*scene_, self, clock_.seconds(), agent->percepts);
+        agent->add_game_percepts(state);
+    }
+}
+
+}  // namespace k3d::server

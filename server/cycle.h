@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The simulation: agents, scene and game, one 20 ms cycle at a time (reference 2.1).
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "common/clock/clock.h"
+#include "common/episode/result.h"
+#include "common/net/net.h"
+#include "server/body/scene.h"
+#include "server/config.h"
+#include "server/game/game.h"
+#include "server/session/agent_session.h"
+#include "server/session/monitors.h"
+#include "server/session/pacer.h"
+#include "server/session/teams.h"
+#include "server/viewer/viewer.h"
+
+namespace k3d::server {
+
+/// How a run ended.
+enum class Outcome { Done, AgentLost, Stopped };
+
+/// Agents see GameOver for this long before the episode's processes are let go.
+inline constexpr int kGameOverCycles = 10;
+
+class Simulation {
+  public:
+    /// Opens all ports. Throws net::NetError. `results` receives one line per keepaway episode.
+    Simulation(const Config& config, std::string results_file, std::string web_folder);
+
+    /// "ready agent=40123 monitor=40124 http=40125"
+    std::string ready_line() const;
+
+    /// Runs cycles until the game's episodes are over, a trainer ends it, or `stop` is set.
+    Outcome run(const volatile int& stop);
+
+  private:
+    // One frame (cycle.cpp).
+    void run_cycle();
+    void read_commands();
+    void send_percepts();
+    void carry_out_stored_commands();
+    void obey_trainers();
+    void step_physics();
+    void update_game();
+    void sense();
+    void show();
+
+    // Agents and seats (agents.cpp).
+    bool everybody_synced();
+    void drop_closed_agents();
+    void lose(session::AgentSession& agent, const std::string& why);
+    void load_robot(session::AgentSession& agent);
+    void take_seat(session::AgentSession& agent);
+    void act(session::AgentSession& agent);
+    void say(session::AgentSession& agent, const std::string& text);
+    void remove_player(session::AgentSession& agent);
+
+    // Keepaway's way from lobby to result (episode.cpp).
+    bool in_lobby() const { return lobby_; }
+    void lobby_cycle();
+    void begin_episode();
+    void begin_percepts(session::AgentSession& agent);
+    void finish_episode();
+    void check_lobby_deadline();
+
+    Config config_;
+    std::string results_file_;
+    net::Loop loop_;
+    session::Pacer pacer_;
+    std::vector<std::unique_ptr<session::AgentSession>> agents_;  ///< by (team, number) once seated
+    session::Teams teams_;
+    net::Listener agent_listener_;
+    session::Monitors monitors_;
+    std::optional<viewer::Viewer> viewer_;
+    viewer::SceneView view_;
+    net::Clock::time_point next_view_;
+
+    std::unique_ptr<body::Scene> scene_;
+    game::Game game_;
+    Cycle clock_;
+    std::uint64_t hash_ = 0;
+    int episode_ = 1;
+    int cycles_since_over_ = 0;
+    bool lobby_ = false;
+    net::Clock::time_point lobby_since_;
+    bool end_ = false;
+    Outcome outcome_ = Outcome::Done;
+};
+
+}  // namespace k3d::server

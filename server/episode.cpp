@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Simulation: opening the ports, the keepaway lobby, and one episode after another.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <tuple>
+
+#include "common/log/log.h"
+#include "common/version/version.h"
+#include "server/cycle.h"
+
+namespace k3d::server {
+
+namespace {
+
+/// While seats are free, an agent that is waited for gets this many percepts, one per frame it
+/// sends: enough for its scene and init handshake. The clock starts after them, so that the order
+/// and speed of connecting leave no trace.
+constexpr int kLobbyPercepts = 5;
+constexpr std::chrono::milliseconds kLobbyPoll{20};
+constexpr int kSoccerSeats = 11;
+
+bool is_keepaway(const Config& config) { return config.game == "keepaway"; }
+
+std::uint16_t port(int number) { return static_cast<std::uint16_t>(number); }
+
+}  // namespace
+
+Simulation::Simulation(const Config& config, std::string results_file, std::string web_folder)
+    : config_(config),
+      results_file_(std::move(results_file)),
+      pacer_(config.pace),
+      teams_(config.left_team, config.right_team,
+             is_keepaway(config) ? config.keepaway.keepers : kSoccerSeats,
+             is_keepaway(config) ? config.keepaway.takers : kSoccerSeats),
+      agent_listener_(loop_, config.network.listen, port(config.network.agent_port),
+                      [this](std::unique_ptr<net::Connection> accepted) {
+                          agents_.push_back(
+                              std::make_unique<session::AgentSession>(std::move(accepted)));
+                      }),
+      monitors_(loop_, config.network.listen, port(config.network.server_port)),
+      scene_(std::make_unique<body::Scene>()),
+      game_(game::Soccer(config.soccer)),
+      lobby_(is_keepaway(config)),
+      lobby_since_(net::Clock::now()) {
+    if (config.network.http_port >= 0) {
+        viewer_.emplace(loop_, config.network.listen, port(config.network.http_port), web_folder);
+    }
+    if (lobby_) clock_.count = kLobbyPercepts;
+}
+
+std::string Simulation::ready_line() const {
+    std::string line =
+        fmt::format("ready agent={} monitor={}", agent_listener_.port(), monitors_.port());
+    if (viewer_) line += fmt::format(" http={}", viewer_->port());
+    return line;
+}
+
+Outcome Simulation::run(const volatile int& stop) {
+    while (!end_) {
+        if (stop != 0) return Outcome::Stopped;
+        if (in_lobby()) {
+            lobby_cycle();
+        } else {
+            run_cycle();
+        }
+    }
+    return outcome_;
+}
+
+void Simulation::lobby_cycle() {
+    loop_.wait(net::Clock::now() + kLobbyPoll, [this] {
+        return std::any_of(agents_.begin(), agents_.end(), [](const auto& agent) {
+            agent->read_frames();
+            return agent->frames > 0 && agent->percepts_sent < kLobbyPercepts;
+        });
+    });
+    drop_closed_agents();
+    static const game::GameState kWaiting;
+    for (const auto& agent : agents_) {
+        agent->read_frames();
+        const bool asked = agent->frames > 0;
+        act(*agent);
+        carry_out_stored_commands();
+        if (!asked || !agent->type || agent->percepts_sent >= kLobbyPercepts) continue;
+        agent->parked_percepts((agent->percepts_sent + 1) * kCycleSeconds, kWaiting);
+        agent->send_percepts();
+    }
+    const bool everybody_knows =
+        std::all_of(agents_.begin(), agents_.end(), [](const auto& agent) {
+            return !agent->seat || (agent->percepts_sent == kLobbyPercepts && agent->frames > 0);
+        });
+    if (teams_.full() && everybody_knows) {
+        begin_episode();
+        sense();
+    } else {
+        check_lobby_deadline();
+    }
+    show();
+}
+
+void Simulation::check_lobby_deadline() {
+    const std::chrono::duration<double> waited = net::Clock::now() - lobby_since_;
+    if (config_.pace.lobby <= 0.0 || waited.count() < config_.pace.lobby) return;
+    spdlog::error("no match after {:.0f} s: waiting for {}", waited.count(),
+                  teams_.full() ? "an agent's answer" : teams_.missing());
+    outcome_ = Outcome::AgentLost;
+    end_ = true;
+}
+
+void Simulation::begin_episode() {
+    lobby_ = false;
+    hash_ = 0;
+    cycles_since_over_ = 0;
+    // Built in (team, number) order; agents without a seat come last and own no robot.
+    std::stable_sort(agents_.begin(), agents_.end(), [](const auto& a, const auto& b) {
+        const auto key = [](const session::AgentSession& s) {
+            return s.seat ? std::tuple(0, static_cast<int>(s.seat->team), s.seat->unum)
+                          : std::tuple(1, 0, 0);
+        };
+        return key(*a) < key(*b);
+    });
+    scene_ = std::make_unique<body::Scene>();
+    const std::uint64_t seed = config_.seed + static_cast<std::uint64_t>(episode_ - 1);
+    for (const auto& agent : agents_) {
+        if (!agent->seat) continue;
+        body::Player& player = scene_->add_player(*agent->type, {0.0, 0.0, 1.0});
+        player.team = agent->seat->team;
+        player.unum = agent->seat->unum;
+        player.team_name = agent->team_name;
+        agent->player = player.id;
+        begin_percepts(*agent);
+    }
+    game_.emplace<game::Keepaway>(config_.keepaway, seed, *scene_);
+    game::state(game_).team_left = teams_.left();
+    game::state(game_).team_right = teams_.right();
+    spdlog::info("episode {} of {}, seed {}: '{}' keep the ball from '{}'", episode_,
+                 config_.episodes, seed, teams_.left(), teams_.right());
+}
+
+void Simulation::begin_percepts(session::AgentSession& agent) {
+    const std::uint64_t seed = config_.seed + static_cast<std::uint64_t>(episode_ - 1);
+    // Soccer robots are built before they have a seat; they are told apart by order of arrival.
+    const std::string entity =
+        agent.seat ? agent.name() : "arrival." + std::to_string(*agent.player);
+    agent.senses.emplace(config_.vision, RandomStream(seed, entity, "vision"));
+    agent.beam_noise.emplace(seed, entity, "beam");
+    agent.ear = {};
+}
+
+void Simulation::finish_episode() {
+    if (cycles_since_over_++ < kGameOverCycles) return;
+    if (const auto* keepaway = std::get_if<game::Keepaway>(&game_)) {
+        episode::Result result = keepaway->result();
+        result.state_hash = fmt::format("{:016x}", hash_);
+        result.code_version = code_version();
+        const std::string line = episode::to_line(result);
+        spdlog::info("episode {}: {} ({}), hold time {:.2f} s, {} kicks, {} passes", episode_,
+                     episode::name(result.status), result.reason, result.hold_time_s, result.kicks,
+                     result.passes_completed);
+        if (!results_file_.empty()) {
+            std::ofstream file(results_file_, std::ios::app);
+            file << line << '\n' << std::flush;
+            if (!file) spdlog::error("cannot write results to {}", results_file_);
+        }
+        if (result.status == episode::Status::AgentLost) outcome_ = Outcome::AgentLost;
+        if (episode_ < config_.episodes && result.status != episode::Status::AgentLost) {
+            ++episode_;
+            begin_episode();
+            return;
+        }
+    }
+    end_ = true;
+}
+
+}  // namespace k3d::server

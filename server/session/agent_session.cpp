@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "server/session/agent_session.h"
+
+#include "common/log/log.h"
+#include "common/sexpr/reader.h"
+#include "common/wire/frame.h"
+
+namespace k3d::server::session {
+
+std::string AgentSession::name() const {
+    if (!seat) return "agent at " + connection->peer();
+    return std::string(body::side_name(seat->team)) + "." + std::to_string(seat->unum);
+}
+
+void AgentSession::read_frames() {
+    std::string_view frame;
+    while (connection->next_frame(frame)) {
+        ++frames;
+        const int bad = wire::decode(frame, commands);
+        if (bad > 0) {
+            // Once per connection at warning level: a foreign agent may send extras every cycle.
+            const auto level = damaged == 0 ? spdlog::level::warn : spdlog::level::debug;
+            spdlog::log(level, "{}: {} unknown or damaged expressions ignored in \"{}\"", name(),
+                        bad, frame.substr(0, 120));
+            damaged += bad;
+        }
+    }
+    if (commands.syn) synced = true;
+}
+
+void AgentSession::send_percepts() {
+    if (!percepts_ready || connection->closed() || !type) return;
+    payload.clear();
+    wire::encode(percepts, nao::model(*type), payload);
+    K3D_ASSERT(payload.size() <= wire::kMaxPayloadToAgent);
+    connection->send(payload);
+    percepts_ready = false;
+    synced = false;
+    frames = 0;
+    ++percepts_sent;
+}
+
+void AgentSession::add_game_percepts(const game::GameState& state) {
+    wire::GameState& gs = percepts.game.emplace();
+    gs.score_left = state.score_left;
+    gs.score_right = state.score_right;
+    gs.time = state.time;
+    gs.play_mode = game::name(state.mode);
+    if (seat && !seat_told) {
+        gs.unum = seat->unum;
+        gs.team = seat->team;
+        seat_told = true;
+    }
+    ear.collect(percepts.heard);
+    percepts_ready = true;
+}
+
+void AgentSession::parked_percepts(double time, const game::GameState& state) {
+    percepts = {};
+    percepts.time = time;
+    percepts.acceleration = {0.0, 0.0, 9.81};
+    for (const nao::JointDef& joint : nao::model(*type).joints) {
+        percepts.has_joint.set(nao::index(joint.id));
+    }
+    add_game_percepts(state);
+}
+
+std::optional<int> robot_type(const wire::SceneCommand& scene) {
+    if (scene.arguments.empty()) return 0;
+    const auto type = sexpr::to_integer(scene.arguments.front());
+    if (!type || !nao::is_type(*type)) return std::nullopt;
+    return *type;
+}
+
+}  // namespace k3d::server::session

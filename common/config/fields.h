@@ -5,7 +5,8 @@
 //     struct WalkConfig {
 //         double step_height = 0.03;
 //         void describe(config::Fields& f) {
-//             f.number("step_height", step_height, {0.0, 0.1}, "m", "how high the swing foot is lifted");
+//             f.number("step_height", step_height, {0.0, 0.1}, "m", "how high the swing foot is
+//             lifted");
 //         }
 //     };
 #pragma once

@@ -52,7 +52,8 @@ struct Client::Impl {
             if (remaining_ms(deadline) == 0) {
                 throw NetError("cannot connect to " + place + ": " + fault.message());
             }
-            ::poll(nullptr, 0, std::min(remaining_ms(deadline), static_cast<int>(kRetryPause.count())));
+            ::poll(nullptr, 0,
+                   std::min(remaining_ms(deadline), static_cast<int>(kRetryPause.count())));
         }
     }
 
@@ -150,7 +151,9 @@ Client::Client(const std::string& host, std::uint16_t port, milliseconds patienc
     : impl_(std::make_unique<Impl>(host, port, patience)) {}
 Client::~Client() = default;
 
-void Client::send(std::string_view payload) { impl_->send(payload); }
+void Client::send(std::string_view payload) {
+    impl_->send(payload);
+}
 
 bool Client::receive(std::string_view& payload, milliseconds patience) {
     return impl_->receive(payload, patience);

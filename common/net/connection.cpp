@@ -80,13 +80,12 @@ class Stream : public std::enable_shared_from_this<Stream> {
     void await_input() {
         if (closed_ || full()) return;
         awaiting_input_ = true;
-        socket_.async_wait(tcp::socket::wait_read,
-                           [self = shared_from_this()](error_code fault) {
-                               self->awaiting_input_ = false;
-                               if (fault) return self->fail(fault);
-                               self->read_available();
-                               self->await_input();
-                           });
+        socket_.async_wait(tcp::socket::wait_read, [self = shared_from_this()](error_code fault) {
+            self->awaiting_input_ = false;
+            if (fault) return self->fail(fault);
+            self->read_available();
+            self->await_input();
+        });
     }
 
     /// Reads what is there, up to the limit. Closes at the stream's end.
@@ -135,12 +134,11 @@ class Stream : public std::enable_shared_from_this<Stream> {
     void await_output() {
         if (closed_ || awaiting_output_) return;
         awaiting_output_ = true;
-        socket_.async_wait(tcp::socket::wait_write,
-                           [self = shared_from_this()](error_code fault) {
-                               self->awaiting_output_ = false;
-                               if (fault) return self->fail(fault);
-                               if (!self->closed_ && !self->flush_tail()) self->await_output();
-                           });
+        socket_.async_wait(tcp::socket::wait_write, [self = shared_from_this()](error_code fault) {
+            self->awaiting_output_ = false;
+            if (fault) return self->fail(fault);
+            if (!self->closed_ && !self->flush_tail()) self->await_output();
+        });
     }
 
     tcp::socket socket_;

@@ -62,8 +62,12 @@ Listener::Listener(Loop& loop, const std::string& address, std::uint16_t port, O
     impl_->accept();
 }
 
-Listener::~Listener() { impl_->close(); }
+Listener::~Listener() {
+    impl_->close();
+}
 
-std::uint16_t Listener::port() const { return impl_->acceptor.local_endpoint().port(); }
+std::uint16_t Listener::port() const {
+    return impl_->acceptor.local_endpoint().port();
+}
 
 }  // namespace k3d::net

@@ -9,8 +9,12 @@ namespace k3d::sexpr {
 
 namespace {
 
-bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; }
-bool ends_atom(char c) { return c == '(' || c == ')' || is_blank(c); }
+bool is_blank(char c) {
+    return c == ' ' || c == '\t' || c == '\r' || c == '\n';
+}
+bool ends_atom(char c) {
+    return c == '(' || c == ')' || is_blank(c);
+}
 
 /// from_chars knows no leading plus, but printf("%+f") and people write it.
 std::string_view without_plus(std::string_view text) {
@@ -86,9 +90,13 @@ std::optional<Node> Document::first() const {
     return Node(this, entries_[0].child);
 }
 
-bool Node::is_atom() const { return !document_->entries_[index_].list; }
+bool Node::is_atom() const {
+    return !document_->entries_[index_].list;
+}
 
-std::string_view Node::atom() const { return document_->entries_[index_].text; }
+std::string_view Node::atom() const {
+    return document_->entries_[index_].text;
+}
 
 std::optional<Node> Node::first() const {
     const std::uint32_t child = document_->entries_[index_].child;
@@ -126,8 +134,12 @@ std::optional<Node> Node::find(std::string_view tag) const {
     return std::nullopt;
 }
 
-std::optional<double> Node::number() const { return to_number(atom()); }
-std::optional<int> Node::integer() const { return to_integer(atom()); }
+std::optional<double> Node::number() const {
+    return to_number(atom());
+}
+std::optional<int> Node::integer() const {
+    return to_integer(atom());
+}
 
 std::optional<double> to_number(std::string_view text) {
     text = without_plus(text);

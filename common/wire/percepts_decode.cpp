@@ -292,6 +292,8 @@ class Decoder {
 
 }  // namespace
 
-int decode(std::string_view payload, Percepts& percepts) { return Decoder(percepts).run(payload); }
+int decode(std::string_view payload, Percepts& percepts) {
+    return Decoder(percepts).run(payload);
+}
 
 }  // namespace k3d::wire

@@ -87,11 +87,16 @@ void foot(FootSensor sensor, const Percepts& percepts, std::string& out) {
 /// The sensor of a foot comes before the joint that moves it.
 void foot_before(JointId joint, const Percepts& percepts, std::string& out) {
     switch (joint) {
-        case JointId::RAnkleRoll: return foot(FootSensor::Right, percepts, out);
-        case JointId::LAnkleRoll: return foot(FootSensor::Left, percepts, out);
-        case JointId::RToe: return foot(FootSensor::RightToe, percepts, out);
-        case JointId::LToe: return foot(FootSensor::LeftToe, percepts, out);
-        default: return;
+        case JointId::RAnkleRoll:
+            return foot(FootSensor::Right, percepts, out);
+        case JointId::LAnkleRoll:
+            return foot(FootSensor::Left, percepts, out);
+        case JointId::RToe:
+            return foot(FootSensor::RightToe, percepts, out);
+        case JointId::LToe:
+            return foot(FootSensor::LeftToe, percepts, out);
+        default:
+            return;
     }
 }
 

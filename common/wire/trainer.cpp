@@ -222,7 +222,9 @@ struct Encoder {
 
 }  // namespace
 
-void encode(const TrainerCommand& command, std::string& out) { std::visit(Encoder{out}, command); }
+void encode(const TrainerCommand& command, std::string& out) {
+    std::visit(Encoder{out}, command);
+}
 
 int decode(std::string_view payload, std::vector<TrainerCommand>& commands) {
     // Kept between calls only for its memory.

@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Loading, printing and setting described structs, and every kind of fault with its place.
+#include "common/config/config.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <fstream>
+#include <limits>
+
+namespace k3d::config {
+namespace {
+
+using testing::HasSubstr;
+
+struct Walk {
+    double step_height = 0.03;
+    std::vector<double> gains{1.0, 2.0};
+    void describe(Fields& f) {
+        f.number("step_height", step_height, {0.0, 0.1}, "m", "how high the swing foot is lifted");
+        f.numbers("gains", gains, {-5.0, 5.0}, "", "gains of the balance");
+    }
+};
+
+struct Match {
+    Walk walk;
+    int port = 3100;
+    std::uint64_t seed = 1;
+    bool noise = true;
+    std::string pace = "realtime";
+    std::string name = "a \"b\" \\ \n c";
+    double free = 0.5;
+
+    void describe(Fields& f) {
+        f.section("walk", walk);  // on purpose before the plain fields
+        f.integer("port", port, {0, 65535}, "", "where agents connect");
+        f.seed("seed", seed, "all randomness follows from it");
+        f.boolean("noise", noise, "noise of vision");
+        f.text("pace", pace, {"realtime", "sync", "fast"}, "who waits for whom");
+        f.text("name", name, {}, "any text");
+        f.number("free", free, {-kInf, kInf}, "", "any number");
+    }
+    static constexpr double kInf = std::numeric_limits<double>::infinity();
+};
+
+std::string fault_of(const std::string& toml) {
+    Match run;
+    const std::string before = print(describing(run));
+    try {
+        load_text(describing(run), toml, "run.toml");
+    } catch (const ConfigError& error) {
+        EXPECT_EQ(print(describing(run)), before) << "a faulty text must change nothing";
+        return error.what();
+    }
+    return "no fault";
+}
+
+TEST(ConfigLoad, SetsWhatIsNamedAndLeavesTheRest) {
+    Match run;
+    load_text(describing(run),
+              "port = 0\nnoise = false\npace = \"fast\"\nfree = 3\nseed = 7\n"
+              "[walk]\ngains = [0, -1.5]\n",
+              "run.toml");
+    EXPECT_EQ(run.port, 0);
+    EXPECT_FALSE(run.noise);
+    EXPECT_EQ(run.pace, "fast");
+    EXPECT_EQ(run.free, 3.0);
+    EXPECT_EQ(run.seed, 7U);
+    EXPECT_EQ(run.walk.gains, (std::vector<double>{0.0, -1.5}));
+    EXPECT_EQ(run.walk.step_height, 0.03);
+}
+
+TEST(ConfigLoad, NamesFileLineAndNearestKey) {
+    EXPECT_EQ(fault_of("port = 1\n\n[walk]\nstep_hight = 0.02\n"),
+              "run.toml:4: unknown key \"walk.step_hight\", the nearest known one is "
+              "\"walk.step_height\"");
+    EXPECT_EQ(fault_of("step_height = 0.02\n"),
+              "run.toml:1: unknown key \"step_height\", the nearest known one is "
+              "\"walk.step_height\"");
+    EXPECT_THAT(fault_of("[wlk]\ngains = [1, 2]\n"), HasSubstr("nearest known one is \"walk\""));
+    EXPECT_THAT(fault_of("\"walk.gains\" = [1, 2]\n"), HasSubstr("unknown key"));
+}
+
+TEST(ConfigLoad, NamesWrongTypes) {
+    EXPECT_EQ(fault_of("port = 1.5"), "run.toml:1: \"port\" is a number, wanted is a whole number");
+    EXPECT_EQ(fault_of("noise = 1"),
+              "run.toml:1: \"noise\" is a whole number, wanted is true or false");
+    EXPECT_EQ(fault_of("pace = 1"),
+              "run.toml:1: \"pace\" is a whole number, wanted is a text in quotes");
+    EXPECT_EQ(fault_of("free = \"x\""), "run.toml:1: \"free\" is a text, wanted is a number");
+    EXPECT_EQ(fault_of("seed = true"),
+              "run.toml:1: \"seed\" is true or false, wanted is a whole number");
+    EXPECT_EQ(fault_of("walk = 3"), "run.toml:1: \"walk\" is a value, wanted is a section");
+    EXPECT_EQ(fault_of("[port]\nx = 1"),
+              "run.toml:1: \"port\" is a section, wanted is a whole number\n"
+              "run.toml:2: unknown key \"port.x\", the nearest known one is \"port\"");
+    EXPECT_EQ(fault_of("[walk]\ngains = 1"),
+              "run.toml:2: \"walk.gains\" is a whole number, wanted is a list of numbers");
+}
+
+TEST(ConfigLoad, NamesValuesOutOfRange) {
+    EXPECT_EQ(fault_of("port = 65536"), "run.toml:1: \"port\" is 65536, allowed is 0 to 65535");
+    EXPECT_EQ(fault_of("seed = -1"),
+              "run.toml:1: \"seed\" is -1, allowed is 0 to 18446744073709551615");
+    EXPECT_EQ(fault_of("seed = \"18446744073709551616\""),
+              "run.toml:1: \"seed\" is 18446744073709551616, allowed is 0 to "
+              "18446744073709551615");
+    EXPECT_EQ(fault_of("free = nan"), "run.toml:1: \"free\" is not finite");
+    EXPECT_EQ(fault_of("free = inf"), "run.toml:1: \"free\" is not finite");
+    EXPECT_EQ(fault_of("pace = \"slow\""),
+              "run.toml:1: \"pace\" is \"slow\", allowed is \"realtime\" \"sync\" \"fast\"");
+    EXPECT_EQ(fault_of("[walk]\ngains = [1, 9]"),
+              "run.toml:2: \"walk.gains\" entry 2 is 9, allowed is -5 to 5");
+    EXPECT_EQ(fault_of("[walk]\ngains = [1]"),
+              "run.toml:2: \"walk.gains\" has 1 entries, wanted are 2");
+}
+
+TEST(ConfigLoad, ReportsAllFaultsInTheOrderOfTheLines) {
+    EXPECT_EQ(fault_of("prt = 1\nport = -1\n"),
+              "run.toml:1: unknown key \"prt\", the nearest known one is \"port\"\n"
+              "run.toml:2: \"port\" is -1, allowed is 0 to 65535");
+}
+
+TEST(ConfigLoad, NamesTheLineOfASyntaxFault) {
+    EXPECT_THAT(fault_of("port = 1\nnoise = = 2\n"), testing::StartsWith("run.toml:2: "));
+    EXPECT_THAT(fault_of("port = 1\nport = 2\n"), testing::StartsWith("run.toml:2: "));
+}
+
+TEST(ConfigLoad, FilesThatCannotBeReadAreNamed) {
+    Match run;
+    const std::string missing = testing::TempDir() + "k3d_no_such.toml";
+    try {
+        load_file(describing(run), missing);
+        FAIL() << "a missing file was read";
+    } catch (const ConfigError& error) {
+        EXPECT_EQ(error.what(), missing + ": cannot read: No such file or directory");
+    }
+    EXPECT_THROW(load_file(describing(run), testing::TempDir()), ConfigError);
+}
+
+TEST(ConfigLoad, ReadsFiles) {
+    const std::string path = testing::TempDir() + "k3d_config_test.toml";
+    std::ofstream(path) << "port = 17\n";
+    Match run;
+    load_file(describing(run), path);
+    EXPECT_EQ(run.port, 17);
+    std::ofstream(path) << "";
+    EXPECT_NO_THROW(load_file(describing(run), path)) << "an empty file names nothing";
+    std::remove(path.c_str());
+}
+
+TEST(ConfigPrint, RoundTripsEveryKindOfField) {
+    Match written;
+    written.walk.step_height = 0.1 / 3.0;
+    written.walk.gains = {1e-7, -4.0};
+    written.port = 1;
+    written.seed = std::numeric_limits<std::uint64_t>::max();
+    written.noise = false;
+    written.pace = "sync";
+    written.free = -1e300;
+    const std::string text = print(describing(written));
+    Match read;
+    load_text(describing(read), text, "printed");
+    EXPECT_EQ(print(describing(read)), text);
+    EXPECT_EQ(read.walk.step_height, written.walk.step_height);
+    EXPECT_EQ(read.walk.gains, written.walk.gains);
+    EXPECT_EQ(read.seed, written.seed);
+    EXPECT_EQ(read.name, written.name);
+    EXPECT_EQ(read.free, written.free);
+}
+
+TEST(ConfigPrint, ShowsUnitRangeAndMeaning) {
+    Match run;
+    const std::string text = print(describing(run));
+    EXPECT_THAT(text, HasSubstr("[walk]\nstep_height = 0.03  # m, 0 to 0.1: how high the swing "
+                                "foot is lifted\n"));
+    EXPECT_THAT(text, HasSubstr("pace = \"realtime\"  # realtime | sync | fast: who waits"));
+    EXPECT_LT(text.find("port ="), text.find("[walk]")) << "plain fields come before sections";
+}
+
+TEST(ConfigSet, SetsByPathWithoutTomlQuotes) {
+    Match run;
+    const Describe d = describing(run);
+    set(d, "walk.step_height", "0.05");
+    set(d, "walk.gains", "1,2.5");
+    set(d, "port", "5");
+    set(d, "seed", "18446744073709551615");
+    set(d, "noise", "false");
+    set(d, "pace", "sync");
+    EXPECT_EQ(run.walk.step_height, 0.05);
+    EXPECT_EQ(run.walk.gains, (std::vector<double>{1.0, 2.5}));
+    EXPECT_EQ(run.port, 5);
+    EXPECT_EQ(run.seed, std::numeric_limits<std::uint64_t>::max());
+    EXPECT_FALSE(run.noise);
+    EXPECT_EQ(run.pace, "sync");
+}
+
+std::string set_fault(std::string_view path, std::string_view value) {
+    Match run;
+    try {
+        set(describing(run), path, value);
+    } catch (const ConfigError& error) {
+        return error.what();
+    }
+    return "no fault";
+}
+
+TEST(ConfigSet, NamesPathAndValueOfAFault) {
+    EXPECT_EQ(set_fault("walk.step_heigt", "1"),
+              "unknown key \"walk.step_heigt\", the nearest known one is \"walk.step_height\"");
+    EXPECT_EQ(set_fault("walk.step_height", "1"), "\"walk.step_height\" is 1, allowed is 0 to 0.1");
+    EXPECT_EQ(set_fault("port", "abc"), "\"port\" is \"abc\", which cannot be read as a value");
+    EXPECT_EQ(set_fault("port", "1\nnoise = false"),
+              "\"port\" is \"1\\u000Anoise = false\", which cannot be read as a value");
+    EXPECT_EQ(set_fault("port", ""), "\"port\" is \"\", which cannot be read as a value");
+    EXPECT_EQ(set_fault("walk", "1"), "\"walk\" is a section, wanted is a value in it");
+}
+
+}  // namespace
+}  // namespace k3d::config

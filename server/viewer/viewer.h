@@ -41,6 +41,9 @@ struct SceneView {
     std::optional<Vec2> area;  ///< full extents of the keepaway area about the centre, if any
 };
 
+/// The folder that the build puts the page into: ../web as seen from this program's own folder.
+std::string web_folder_beside_program();
+
 /// Serves the page at http://ADDRESS:PORT/ and streams scenes to every open WebSocket.
 class Viewer {
   public:

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// One cycle of the body: senses and a request in, joint speeds and the body's state out. Chooses
+// between standing, walking, kicking and getting up.
+//
+// Agent axes x forward, y left, z up; rad, m, s.
+#pragma once
+
+#include "agent/motion/config.h"
+#include "agent/motion/joint_control.h"
+#include "agent/motion/motion.h"
+#include "agent/motion/odometry.h"
+#include "agent/motion/posture.h"
+#include "agent/motion/walk/walk_engine.h"
+
+namespace k3d::agent::motion {
+
+class BodyMotion {
+  public:
+    BodyMotion(const nao::Model& model, const Config& config);
+    BodyMotion(const BodyMotion&) = delete;  // engines refer to config_
+    BodyMotion& operator=(const BodyMotion&) = delete;
+
+    /// Call exactly once per percept frame; `rates` (rad/s) is the reply to it.
+    const State& step(const BodySense& sense, const Request& request, nao::JointArray& rates);
+
+    const State& state() const { return state_; }
+    const Posture& posture() const { return posture_.posture(); }
+
+  private:
+    void perceive(const BodySense& sense);
+    void choose(const BodySense& sense, const Request& request);
+    void fall(const BodySense& sense);
+    void stand_or_walk(const BodySense& sense, const Walk& wish);
+    void take_up_stance();
+
+    const nao::Model& model_;
+    const Config config_;
+    kinematics::Leg right_, left_;
+    PostureFilter posture_;
+    Odometry odometry_;
+    walk::WalkEngine walk_;
+    JointControl control_;
+    JointTargets targets_;
+    State state_;
+    bool in_stance_ = false;  ///< legs have the walk's stance, or the walk has them
+    bool started_ = false;
+};
+
+}  // namespace k3d::agent::motion

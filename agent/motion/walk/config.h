@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Parameters of the walk. Lengths are those of a robot with type 0's legs; the engine scales them
+// by leg length. Defaults are the tuned values of agent/config/walk.toml.
+#pragma once
+
+#include "common/config/fields.h"
+
+namespace k3d::agent::motion::walk {
+
+struct Config {
+    // Limits of what may be asked.
+    double max_forward = 0.8;
+    double max_backward = 0.5;
+    double max_sideways = 0.35;
+    double max_turn = 2.1;
+    double forward_acceleration = 1.0;
+    double sideways_acceleration = 1.0;
+    double turn_acceleration = 6.0;
+    double braking = 1.5;
+
+    // The step.
+    double step_duration = 0.16;
+    double lift_start = 0.1;
+    double lift_end = 0.9;
+    double step_height = 0.025;
+    double step_height_gain = 0.01;
+    double landing_match = 0.8;
+
+    // The stance.
+    double crouch = 0.035;
+    double spread = 0.0;
+    double foot_forward = 0.0;
+    double foot_forward_gain = 0.0;
+    double lean = 0.05;
+    double lean_gain = 0.05;
+    double sway = 0.01;
+    double sway_phase = 0.0;
+    double toe_up = 0.0;
+
+    // Balance: which share of the torso's tilt error the legs take up, and the steps.
+    double pitch_lead = 0.03;
+    double roll_lead = 0.03;
+    double support_pitch = 0.0;
+    double support_roll = 0.0;
+    double support_turn_pitch = 0.0;
+    double support_turn_roll = 0.0;
+    double swing_pitch = 0.5;
+    double swing_roll = 0.5;
+    double swing_turn_pitch = 0.5;
+    double swing_turn_roll = 0.5;
+    double step_forward = 0.1;
+    double step_forward_rate = 0.01;
+    double step_sideways = 0.1;
+    double step_sideways_rate = 0.01;
+
+    // The arms.
+    double shoulder_pitch = -1.9;
+    double shoulder_yaw = 0.2;
+    double arm_roll = 1.57;
+    double elbow = 0.9;
+    double arm_swing = 0.5;
+
+    void describe(config::Fields& f);
+};
+
+}  // namespace k3d::agent::motion::walk

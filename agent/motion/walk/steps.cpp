@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Feet on the ground stay where they are while the torso moves; the swing foot follows a cubic that
+// leaves and meets the ground with (most of) the ground's speed.
+#include "agent/motion/walk/steps.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "common/clock/clock.h"
+
+namespace k3d::agent::motion::walk {
+
+namespace {
+
+double hermite(double from, double to, double slope, double u) {
+    const double u2 = u * u;
+    const double u3 = u2 * u;
+    const double tangent = (u3 - 2.0 * u2 + u) + (u3 - u2);  // the same slope at both ends
+    return from + (to - from) * (3.0 * u2 - 2.0 * u3) + slope * tangent;
+}
+
+Side other(Side side) { return side == Side::Right ? Side::Left : Side::Right; }
+double sign_of(Side side) { return side == Side::Left ? 1.0 : -1.0; }
+
+}  // namespace
+
+Steps::Steps(const Config& config, double half_width, double scale)
+    : config_(config), half_width_(half_width), scale_(scale) {
+    start(Side::Left);
+}
+
+void Steps::start(Side first) {
+    swing_ = first;
+    phase_ = 0.0;
+    in_air_ = false;
+    stepped_ = true;
+    for (const Side side : {Side::Right, Side::Left}) {
+        feet_[static_cast<std::size_t>(side)] = {neutral(side, {}), 0.0, 0.0};
+    }
+}
+
+Pose2 Steps::neutral(Side side, const Walk& velocity) const {
+    // Turning and walking sideways open the stance by half a step, so that feet never cross: the
+    // hips can turn the legs outwards only.
+    const double ground_time =
+        config_.step_duration * (2.0 - (config_.lift_end - config_.lift_start));
+    const double wider = 0.5 * std::abs(velocity.left) * ground_time;
+    const double open = 0.5 * std::abs(velocity.turn) * ground_time;
+    const double s = sign_of(side);
+    return {{config_.foot_forward * scale_ + config_.foot_forward_gain * velocity.forward,
+             s * (half_width_ + config_.spread * scale_ + wider * 0.5)},
+            s * open};
+}
+
+void Steps::move_over_ground(Foot& foot, const Walk& velocity) const {
+    const Pose2 torso{{velocity.forward * kCycleSeconds, velocity.left * kCycleSeconds},
+                      velocity.turn * kCycleSeconds};
+    foot.ground.position = torso.to_local(foot.ground.position);
+    foot.ground.yaw -= torso.yaw;
+    foot.lift = 0.0;
+    foot.air = 0.0;
+}
+
+void Steps::swing_foot(const Walk& velocity, const Correction& correction) {
+    Foot& foot = feet_[static_cast<std::size_t>(swing_)];
+    const double air_share = config_.lift_end - config_.lift_start;
+    const double u = (phase_ - config_.lift_start) / air_share;
+    if (u <= 0.0 || u >= 1.0) {
+        in_air_ = false;
+        move_over_ground(foot, velocity);
+        return;
+    }
+    if (!in_air_) {
+        in_air_ = true;
+        lifted_from_ = foot.ground;
+    }
+    const double air_time = air_share * config_.step_duration;
+    const double half_ground = 0.5 * config_.step_duration * (2.0 - air_share);
+    Pose2 landing = neutral(swing_, velocity);
+    landing.position += Vec2(velocity.forward * half_ground + correction.forward,
+                             velocity.left * half_ground + correction.left);
+    landing.yaw += velocity.turn * half_ground;
+    // Never onto the other foot's side.
+    const double inner = half_width_ - 0.012 * scale_;
+    if (swing_ == Side::Left) {
+        landing.position.y() = std::max(landing.position.y(), inner);
+    } else {
+        landing.position.y() = std::min(landing.position.y(), -inner);
+    }
+    const double match = -config_.landing_match * air_time;
+    foot.ground.position = {hermite(lifted_from_.position.x(), landing.position.x(),
+                                    match * velocity.forward, u),
+                            hermite(lifted_from_.position.y(), landing.position.y(),
+                                    match * velocity.left, u)};
+    foot.ground.yaw = hermite(lifted_from_.yaw, landing.yaw, match * velocity.turn, u);
+    foot.air = 0.5 * (1.0 - std::cos(2.0 * kPi * u));
+    foot.lift = foot.air * (config_.step_height + config_.step_height_gain *
+                                                      std::abs(velocity.forward)) * scale_;
+}
+
+void Steps::advance(const Walk& velocity, const Correction& correction) {
+    phase_ += kCycleSeconds / config_.step_duration;
+    stepped_ = phase_ >= 1.0;
+    if (stepped_) {
+        phase_ -= 1.0;
+        swing_ = other(swing_);
+        in_air_ = false;
+    }
+    move_over_ground(feet_[static_cast<std::size_t>(other(swing_))], velocity);
+    swing_foot(velocity, correction);
+}
+
+double Steps::sway() const {
+    const double side = swing_ == Side::Right ? 1.0 : -1.0;  // over the support foot
+    return side * std::sin(kPi * phase_ + config_.sway_phase);
+}
+
+double Steps::distance_from_stance() const {
+    double worst = 0.0;
+    for (const Side side : {Side::Right, Side::Left}) {
+        const Pose2 stance = neutral(side, {});
+        const Foot& f = foot(side);
+        worst = std::max({worst, (f.ground.position - stance.position).norm(),
+                          0.1 * std::abs(f.ground.yaw - stance.yaw), f.lift});
+    }
+    return worst;
+}
+
+}  // namespace k3d::agent::motion::walk

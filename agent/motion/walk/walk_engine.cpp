@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "agent/motion/walk/walk_engine.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "common/clock/clock.h"
+
+namespace k3d::agent::motion::walk {
+
+namespace {
+
+using nao::JointId;
+
+constexpr double kStoppedDistance = 0.01;  // m, feet this close to the stance may just stand
+constexpr double kSteady = 0.08;           // rad, tilt error below which walking may stop
+constexpr double kMaxError = 0.5;          // rad, beyond it the robot falls whatever is done
+constexpr double kMaxLandingShift = 0.08;  // m
+
+Mat3 about_x(double angle) { return Eigen::AngleAxisd(angle, Vec3::UnitX()).toRotationMatrix(); }
+Mat3 about_y(double angle) { return Eigen::AngleAxisd(angle, Vec3::UnitY()).toRotationMatrix(); }
+Mat3 about_z(double angle) { return Eigen::AngleAxisd(angle, Vec3::UnitZ()).toRotationMatrix(); }
+
+double approach(double value, double target, double step) {
+    return value + std::clamp(target - value, -step, step);
+}
+
+double length_of_leg(const kinematics::Leg& leg) {
+    return leg.hip().z() - leg.zero_pose().position.z();
+}
+
+bool is_zero(const Walk& v) { return v.forward == 0.0 && v.left == 0.0 && v.turn == 0.0; }
+
+}  // namespace
+
+WalkEngine::WalkEngine(const nao::Model& model, const Config& config)
+    : config_(config),
+      right_(model, Side::Right),
+      left_(model, Side::Left),
+      hips_(left_.hip().x(), 0.0, left_.hip().z()),
+      leg_length_(length_of_leg(left_)),
+      scale_(leg_length_ / length_of_leg(kinematics::Leg(nao::model(0), Side::Left))),
+      steps_(config, left_.hip().y(), scale_) {}
+
+void WalkEngine::start(const Walk& wish) {
+    velocity_ = {};
+    // A sideways walk or turn begins with the foot of that side, which opens the stance.
+    const bool left_first = wish.left + 0.1 * wish.turn >= 0.0;
+    steps_.start(left_first ? Side::Left : Side::Right);
+    moving_ = true;
+}
+
+Side WalkEngine::support() const {
+    return steps_.swing() == Side::Left ? Side::Right : Side::Left;
+}
+
+void WalkEngine::follow(const Walk& wish) {
+    Walk target = wish;
+    const double top = wish.forward >= 0.0 ? config_.max_forward : config_.max_backward;
+    // All three at their limit at once would be too much for the legs.
+    const double share = std::sqrt(std::pow(wish.forward / std::max(top, 1e-6), 2) +
+                                   std::pow(wish.left / std::max(config_.max_sideways, 1e-6), 2) +
+                                   std::pow(wish.turn / std::max(config_.max_turn, 1e-6), 2));
+    if (share > 1.0) {
+        target.forward /= share;
+        target.left /= share;
+        target.turn /= share;
+    }
+    const bool braking = velocity_.forward * (target.forward - velocity_.forward) < 0.0;
+    const double forward = braking ? config_.braking : config_.forward_acceleration;
+    velocity_.forward = approach(velocity_.forward, target.forward, forward * kCycleSeconds);
+    velocity_.left = approach(velocity_.left, target.left,
+                              config_.sideways_acceleration * kCycleSeconds);
+    velocity_.turn = approach(velocity_.turn, target.turn,
+                              config_.turn_acceleration * kCycleSeconds);
+}
+
+void WalkEngine::balance(const Posture& posture) {
+    const auto limited = [](double error) { return std::clamp(error, -kMaxError, kMaxError); };
+    pitch_now_ = limited(posture.pitch - lean());
+    roll_now_ = limited(posture.roll);
+    pitch_rate_ = posture.rate.y();
+    roll_rate_ = posture.rate.x();
+    pitch_error_ = limited(pitch_now_ + config_.pitch_lead * pitch_rate_);
+    roll_error_ = limited(roll_now_ + config_.roll_lead * roll_rate_);
+}
+
+Correction WalkEngine::landing_shift() const {
+    const auto limited = [](double shift) {
+        return std::clamp(shift, -kMaxLandingShift, kMaxLandingShift);
+    };
+    // Leaning right is positive roll, and asks for a step to the right.
+    return {limited(config_.step_forward * pitch_now_ + config_.step_forward_rate * pitch_rate_),
+            limited(-config_.step_sideways * roll_now_ - config_.step_sideways_rate * roll_rate_)};
+}
+
+bool WalkEngine::step(const BodySense&, const Posture& posture, const Walk& wish,
+                      JointTargets& out) {
+    if (!moving_ && is_zero(wish)) {
+        stance(out);
+        return false;
+    }
+    if (!moving_) start(wish);
+    follow(wish);
+    balance(posture);
+    steps_.advance(velocity_, landing_shift());
+    const bool steady = std::max(std::abs(pitch_now_), std::abs(roll_now_)) < kSteady;
+    if (is_zero(wish) && is_zero(velocity_) && steps_.stepped() && steady &&
+        steps_.distance_from_stance() < kStoppedDistance) {
+        moving_ = false;
+    }
+    place_leg(Side::Right, steps_.foot(Side::Right), out);
+    place_leg(Side::Left, steps_.foot(Side::Left), out);
+    place_arms(out);
+    return moving_;
+}
+
+void WalkEngine::place_leg(Side side, const Foot& foot, JointTargets& out) const {
+    const double air = foot.air;
+    const auto mixed = [air](double support, double swing) {
+        return support + air * (swing - support);
+    };
+    // Sole in the walk frame, from the hips.
+    const double height = leg_length_ - config_.crouch * scale_;
+    const Vec3 sole(foot.ground.position.x(),
+                    foot.ground.position.y() - config_.sway * scale_ * steps_.sway(),
+                    foot.lift - height);
+    // The wanted lean, and the shares of the tilt error that swing the leg and turn the foot.
+    const Mat3 swing =
+        about_y(-lean() - mixed(config_.support_pitch, config_.swing_pitch) * pitch_error_) *
+        about_x(-mixed(config_.support_roll, config_.swing_roll) * roll_error_);
+    const Mat3 turn =
+        about_y(-lean() -
+                mixed(config_.support_turn_pitch, config_.swing_turn_pitch) * pitch_error_ +
+                air * config_.toe_up) *
+        about_x(-mixed(config_.support_turn_roll, config_.swing_turn_roll) * roll_error_);
+    kinematics::SolePose target;
+    target.position = hips_ + swing * sole;
+    target.rotation = turn * about_z(foot.ground.yaw);
+    const kinematics::Leg& leg = side == Side::Right ? right_ : left_;
+    leg.solve(target, out.angle);
+}
+
+void WalkEngine::place_arms(JointTargets& out) const {
+    const auto swing = [this](Side side) {
+        return config_.arm_swing * steps_.foot(side).ground.position.x();
+    };
+    // Positive shoulder pitch lifts the arm forward; an arm swings against its own side's foot.
+    out[JointId::RShoulderPitch] = config_.shoulder_pitch - swing(Side::Right);
+    out[JointId::LShoulderPitch] = config_.shoulder_pitch - swing(Side::Left);
+    out[JointId::RShoulderYaw] = -config_.shoulder_yaw;
+    out[JointId::LShoulderYaw] = config_.shoulder_yaw;
+    out[JointId::RArmRoll] = config_.arm_roll;
+    out[JointId::LArmRoll] = -config_.arm_roll;
+    out[JointId::RElbow] = config_.elbow;
+    out[JointId::LElbow] = -config_.elbow;
+}
+
+void WalkEngine::stance(JointTargets& out) const {
+    const double height = leg_length_ - config_.crouch * scale_;
+    for (const Side side : {Side::Right, Side::Left}) {
+        const Pose2 ground = steps_.neutral(side, {});
+        kinematics::SolePose target;
+        const Mat3 lean = about_y(-config_.lean);
+        target.position = hips_ + lean * Vec3(ground.position.x(), ground.position.y(), -height);
+        target.rotation = lean;
+        (side == Side::Right ? right_ : left_).solve(target, out.angle);
+    }
+    out[JointId::RShoulderPitch] = out[JointId::LShoulderPitch] = config_.shoulder_pitch;
+    out[JointId::RShoulderYaw] = -config_.shoulder_yaw;
+    out[JointId::LShoulderYaw] = config_.shoulder_yaw;
+    out[JointId::RArmRoll] = config_.arm_roll;
+    out[JointId::LArmRoll] = -config_.arm_roll;
+    out[JointId::RElbow] = config_.elbow;
+    out[JointId::LElbow] = -config_.elbow;
+}
+
+}  // namespace k3d::agent::motion::walk

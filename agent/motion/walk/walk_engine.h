@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The omnidirectional walk: a wanted velocity -> angles of legs and arms, cycle by cycle.
+//
+// Three parts: the velocity follows the wish within limits; Steps says where the feet shall be;
+// balance turns legs and shifts landings by the torso's tilt error. Metres, radians, seconds.
+#pragma once
+
+#include "agent/motion/joint_targets.h"
+#include "agent/motion/posture.h"
+#include "agent/motion/walk/steps.h"
+
+namespace k3d::agent::motion::walk {
+
+class WalkEngine {
+  public:
+    WalkEngine(const nao::Model& model, const Config& config);
+
+    /// The next step() begins to walk from a standstill in the stance.
+    void start(const Walk& wish);
+    /// One cycle towards `wish`; zero means come to a stop. True while steps are made: false is
+    /// returned from the cycle on in which both feet stand in the stance.
+    bool step(const BodySense& sense, const Posture& posture, const Walk& wish,
+              JointTargets& out);
+
+    /// Legs and arms of the stance, in which the robot waits and from which it walks.
+    void stance(JointTargets& out) const;
+    /// Torso pitch of the stance.
+    double stance_pitch() const { return config_.lean; }
+
+    const Walk& velocity() const { return velocity_; }  ///< what the steps are made for now
+    Side support() const;
+
+  private:
+    void follow(const Walk& wish);
+    void balance(const Posture& posture);
+    void place_leg(Side side, const Foot& foot, JointTargets& out) const;
+    void place_arms(JointTargets& out) const;
+    Correction landing_shift() const;
+    double lean() const { return config_.lean + config_.lean_gain * velocity_.forward; }
+
+    const Config& config_;
+    kinematics::Leg right_, left_;
+    Vec3 hips_;          ///< midway between the hips, torso frame
+    double leg_length_;  ///< hip to sole, straight
+    double scale_;       ///< leg length over type 0's
+    Steps steps_;
+    Walk velocity_;
+    double pitch_error_ = 0.0, roll_error_ = 0.0;            ///< predicted, against the wanted lean
+    double pitch_now_ = 0.0, roll_now_ = 0.0;
+    double pitch_rate_ = 0.0, roll_rate_ = 0.0;
+    bool moving_ = false;
+};
+
+}  // namespace k3d::agent::motion::walk

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Who watches, and who has been told what.
+#include "server/viewer/viewer.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <stdexcept>
+
+#include "common/http/server.h"
+#include "common/log/log.h"
+#include "server/viewer/scene_json.h"
+
+namespace k3d::server::viewer {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+// Faster than any screen; at the fast pace, more would only slow the simulation.
+constexpr std::chrono::milliseconds kLeastInterval{10};
+
+std::string checked(const std::string& web_folder) {
+    std::error_code ignored;
+    if (fs::is_regular_file(fs::path(web_folder) / "index.html", ignored)) return web_folder;
+    throw std::runtime_error("no page in " + web_folder +
+                             " (no index.html): install npm, then configure and build again");
+}
+
+struct Page {
+    std::unique_ptr<http::Socket> socket;
+    int told = 0;  ///< revision of the scene it knows; 0 = none yet
+};
+
+}  // namespace
+
+struct Viewer::Impl {
+    Impl(net::Loop& loop, const std::string& address, std::uint16_t port,
+         const std::string& web_folder)
+        : server(loop, {.address = address, .port = port, .folder = checked(web_folder)},
+                 [this](std::unique_ptr<http::Socket> socket) {
+                     spdlog::debug("viewer: a page opened");
+                     pages.push_back({std::move(socket)});
+                 }) {}
+
+    void publish(const SceneView& scene) {
+        std::erase_if(pages, [](const Page& page) { return page.socket->closed(); });
+        if (pages.empty()) return;
+        const auto now = net::Clock::now();
+        if (now - last < kLeastInterval) return;
+        last = now;
+
+        SceneKey next = key_of(scene);
+        if (revision == 0 || next != key) {
+            key = std::move(next);
+            ++revision;
+        }
+        std::string whole, moment;  // each made once, and only if some page needs it
+        for (Page& page : pages) {
+            if (!page.socket->ready()) continue;
+            const bool is_new = page.told != revision;
+            std::string& text = is_new ? whole : moment;
+            if (text.empty()) text = is_new ? scene_json(scene) : moment_json(scene);
+            if (page.socket->send(http::Socket::Kind::Text, text)) page.told = revision;
+        }
+    }
+
+    std::vector<Page> pages;
+    SceneKey key;
+    int revision = 0;
+    net::Clock::time_point last{};
+    http::Server server;
+};
+
+Viewer::Viewer(net::Loop& loop, const std::string& address, std::uint16_t port,
+               const std::string& web_folder)
+    : impl_(std::make_unique<Impl>(loop, address, port, web_folder)) {}
+
+Viewer::~Viewer() = default;
+
+std::uint16_t Viewer::port() const { return impl_->server.port(); }
+
+bool Viewer::watched() const {
+    return std::ranges::any_of(impl_->pages,
+                               [](const Page& page) { return !page.socket->closed(); });
+}
+
+void Viewer::publish(const SceneView& scene) { impl_->publish(scene); }
+
+std::string web_folder_beside_program() {
+    std::error_code error;
+    const fs::path program = fs::read_symlink("/proc/self/exe", error);
+    return (program.parent_path().parent_path() / "web").string();
+}
+
+}  // namespace k3d::server::viewer

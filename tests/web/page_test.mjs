@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Looks at the page in a real browser: robots and ball are drawn, they move, nothing complains.
+// usage: node page_test.mjs --demo PROGRAM --out FOLDER       starts viewer_demo, and ends it and
+//                                                             starts it again under the open page
+//        node page_test.mjs --url URL --out FOLDER            looks at a match that runs elsewhere
+//   --robots N    how many there must be (5)
+//   --moving N    how many of them must move (all; in a real match some may stand)
+//   --seconds S   how long the browser may take for each step (60)
+// Screenshots go to FOLDER. Exit code 0: all seen.
+import { spawn } from "node:child_process";
+import { mkdirSync, writeFileSync } from "node:fs";
+import { join } from "node:path";
+import { createInterface } from "node:readline";
+import { parseArgs } from "node:util";
+import { openPage } from "./chromium.mjs";
+import { decodePng } from "./png.mjs";
+
+const string = { type: "string" };
+const { values: option } = parseArgs({
+  options: { demo: string, url: string, out: string, robots: string, moving: string, seconds: string,
+             chromium: string },
+});
+const out = option.out ?? "screenshots";
+const patience = Number(option.seconds ?? 60);
+
+function check(what, holds) {
+  console.log(`${holds ? "ok    " : "FAILED"} ${what}`);
+  if (!holds) process.exitCode = 1;
+}
+
+async function save(page, name) {
+  const png = await page.screenshot();
+  writeFileSync(join(out, name), png);
+  return decodePng(png);
+}
+
+/** Pixels of the middle of a picture that look like it. */
+function count(picture, half, looksRight) {
+  let found = 0;
+  for (let x = picture.width / 2 - half; x < picture.width / 2 + half; ++x) {
+    for (let y = picture.height / 2 - half; y < picture.height / 2 + half; ++y) {
+      if (looksRight(...picture.at(x, y))) ++found;
+    }
+  }
+  return found;
+}
+const isBlue = (r, g, b) => b > 90 && b > r + 50 && b > g + 20;
+const isRed = (r, g, b) => r > 90 && r > g + 50 && r > b + 50;
+const isWhite = (r, g, b) => Math.min(r, g, b) > 170;
+const isRing = (r, g, b) => r > 190 && g > 180 && b > 100 && r - b > 45;  // around the ball, on the ground
+
+const distance = (a, b) => Math.hypot(...a.map((v, i) => v - b[i]));
+
+async function follow(page, name) {
+  await page.value(`k3d.choose(${JSON.stringify(name)})`);
+  const frames = await page.value("k3d.frames");
+  await page.until(`two more frames of ${name}`, `k3d.frames > ${frames + 2}`, patience);
+}
+
+async function checkMoving(page, wanted) {
+  const read = () => page.value("({ robots: k3d.robotPositions, ball: k3d.ballPosition, time: k3d.time })");
+  const before = await read();
+  const end = Date.now() + patience * 1000;
+  let moved = 0;
+  let rolled = 0;
+  let now = before;
+  while (Date.now() < end && (moved < wanted || rolled < 0.05)) {
+    await new Promise((resolve) => setTimeout(resolve, 100));
+    now = await read();
+    moved = now.robots.filter((position, i) => distance(position, before.robots[i] ?? position) > 0.05).length;
+    rolled = distance(now.ball, before.ball);
+  }
+  check(`${moved} robots moved (at least ${wanted}), the ball by ${rolled.toFixed(2)} m, within ` +
+        `${(now.time - before.time).toFixed(1)} s of simulation`, moved >= wanted && rolled >= 0.05);
+}
+
+async function checkDrawn(page, robots) {
+  for (const [index, robot] of robots.entries()) {
+    await follow(page, `robot ${index + 1}`);
+    const picture = await save(page, `robot-${robot.team}-${robot.number}.png`);
+    const pixels = count(picture, 120, robot.team === "left" ? isBlue : isRed);
+    check(`robot ${robot.team} ${robot.number} is drawn: ${pixels} pixels of its colour`, pixels > 1500);
+  }
+  await follow(page, "ball");
+  const picture = await save(page, "ball.png");
+  const [white, ring] = [isWhite, isRing].map((looksRight) => count(picture, 120, looksRight));
+  check(`the ball is drawn: ${white} white pixels, ${ring} of the ring around it`, white > 200 && ring > 500);
+}
+
+/** What must be seen whoever serves the page. */
+async function checkScene(page) {
+  const wanted = Number(option.robots ?? 5);
+  await page.until(`${wanted} robots`, `window.k3d?.state === "live" && k3d.robots.length === ${wanted}`, patience);
+  const robots = await page.value("k3d.robots");
+  const teams = robots.map(({ team, number }) => `${team} ${number}`).join(", ");
+  check(`${robots.length} robots: ${teams}`, robots.every(({ parts }) => parts >= 22));
+  await follow(page, "overview");
+  await save(page, "overview.png");
+  await checkMoving(page, Number(option.moving ?? wanted));
+  await checkDrawn(page, robots);
+  await page.key("t");
+  await follow(page, "top");
+  check("keys choose the camera", (await page.value("k3d.camera")) === "top");
+  await save(page, "top.png");
+  const shown = await page.value("[...document.querySelectorAll('.board b')].map((b) => b.textContent)");
+  check(`the board shows time, mode, episode: ${shown.join(" | ")}`, shown.every((text) => text.length > 0));
+  check(`no console errors${page.errors.map((e) => "\n    " + e).join("")}`, page.errors.length === 0);
+}
+
+function startDemo(port, episode) {
+  const child = spawn(option.demo, [String(port), ...(episode ? [webFolder(), String(episode)] : [])],
+                      { stdio: ["ignore", "pipe", "inherit"] });
+  const ended = new Promise((resolve) => child.on("exit", resolve).on("error", resolve));
+  const ready = new Promise((resolve, reject) => {
+    createInterface(child.stdout).on("line", (line) => {
+      const found = /^ready http=(\d+)$/.exec(line);
+      if (found) resolve(Number(found[1]));
+    });
+    ended.then((why) => reject(new Error(`${option.demo} ended: ${why}`)));
+  });
+  return { ready, end: () => (child.kill("SIGKILL"), ended) };
+}
+const webFolder = () => join(option.demo, "..", "..", "web");
+
+/** The next episode is a new server on the same port: an open page says so and goes on. */
+async function checkRestart(page, demo, port) {
+  await page.value("k3d.choose('robot 5')");
+  await demo.end();
+  await page.until("the page says that the server has ended",
+                   "k3d.state === 'lost' && !document.getElementById('notice').hidden", patience);
+  await save(page, "lost.png");
+  const next = startDemo(port, 2);
+  await next.ready;
+  try {
+    await page.until("the page finds the next server", "k3d.state === 'live' && k3d.episode === 2", patience);
+    check("the page finds the next server by itself", true);
+    check("it goes on following the same robot", (await page.value("k3d.camera")) === "robot 5");
+    await page.value("k3d.choose('overview')");
+    await checkMoving(page, 5);
+  } finally {
+    await next.end();
+  }
+}
+
+async function main() {
+  if (!option.demo === !option.url) throw new Error("give one of --demo and --url");
+  mkdirSync(out, { recursive: true });
+  const demo = option.demo ? startDemo(0, 0) : null;
+  let page = null;
+  try {
+    const port = await demo?.ready;
+    page = await openPage(option.chromium ?? "/usr/bin/chromium", option.url ?? `http://127.0.0.1:${port}/`);
+    await checkScene(page);
+    if (demo) await checkRestart(page, demo, port);
+  } finally {
+    await page?.close();
+    await demo?.end();
+  }
+}
+
+await main().catch((error) => {
+  console.error(`FAILED ${error.message}`);
+  process.exitCode = 1;
+});
+console.log(process.exitCode ? "page_test: failed" : `page_test: all seen; screenshots in ${out}`);

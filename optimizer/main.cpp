@@ -145,7 +145,7 @@ int guarded(const std::function<int()>& command) {
 int main(int argc, char** argv) {
     CLI::App app{"k3d-optimizer: plays matches of keepaway and measures them"};
     app.set_version_flag("--version", std::string(k3d::code_version()));
-    app.require_subcommand(1);
+    app.require_subcommand(0, 1);  // none is looked at below: then a misspelt one is named
     Options match_options;
     CLI::App* match = app.add_subcommand(
         "match", "plays episodes of keepaway, each with new processes, and prints a table");
@@ -154,6 +154,10 @@ int main(int argc, char** argv) {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
         return app.exit(error) == 0 ? 0 : kExitUsage;
+    }
+    if (!match->parsed()) {
+        std::cerr << "k3d-optimizer: which subcommand? See k3d-optimizer --help\n";
+        return kExitUsage;
     }
     k3d::log::start("k3d-optimizer", "info");
     return guarded([&] { return run_match(match_options); });

@@ -9,8 +9,6 @@
 #include <filesystem>
 #include <stdexcept>
 
-#include "optimizer/episode/commands.h"
-
 namespace k3d::optimizer::backend {
 
 namespace fs = std::filesystem;
@@ -46,9 +44,9 @@ LogFolder::~LogFolder() {
 }
 
 std::string LogFolder::begin(const episode::Task& task) {
-    std::string folder = make(fmt::format("{}/seed-{}/try-{}", path_, task.seed, task.attempt));
-    fs::remove(episode::result_file(folder));
-    return folder;
+    const std::string of_seed = fmt::format("{}/seed-{}", path_, task.seed);
+    if (task.attempt == 1) fs::remove_all(of_seed);
+    return make(fmt::format("{}/try-{}", of_seed, task.attempt));
 }
 
 void LogFolder::end(const std::string& folder, bool failed) {

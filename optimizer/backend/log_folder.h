@@ -18,7 +18,7 @@ class LogFolder {
     LogFolder(const LogFolder&) = delete;
     LogFolder& operator=(const LogFolder&) = delete;
 
-    /// A folder for this try, without files of another run that appending would mix up.
+    /// A new folder for this try. Those that another run left for the same seed are removed.
     std::string begin(const episode::Task& task);
     void end(const std::string& folder, bool failed);
 

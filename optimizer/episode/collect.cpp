@@ -12,8 +12,6 @@ namespace k3d::optimizer::episode {
 
 namespace {
 
-constexpr int kServerLostAnAgent = 3;
-
 Ending fail(std::string reason, std::optional<Result> result = {}) {
     return tl::unexpected(Failure{std::move(reason), std::move(result), {}});
 }

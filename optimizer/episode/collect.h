@@ -11,6 +11,8 @@
 
 namespace k3d::optimizer::episode {
 
+inline constexpr int kServerLostAnAgent = 3;  ///< exit code of k3d-server
+
 /// The last line of a program's log that says something, "" if there is none.
 std::string last_line(const std::string& log_file);
 

@@ -69,11 +69,7 @@ std::optional<Ending> Episode::poll() {
 }
 
 std::optional<Ending> Episode::start_agents_when_ready() {
-    if (const auto exit = server_.poll()) {
-        // It has not met an agent yet: what stopped it was its flags, files or ports.
-        return fail(describe_end("server", *exit, folder_ + "/server.log"),
-                    exit->signalled ? std::nullopt : std::optional(std::max(exit->code, 1)));
-    }
+    const auto exit = server_.poll();
     if (const auto ready = server_.poll_ready()) {
         page_port_ = port_in(*ready, "http");
         const auto port = port_in(*ready, "agent");
@@ -84,6 +80,10 @@ std::optional<Ending> Episode::start_agents_when_ready() {
             return fail(error.what(), 1);
         }
         phase_ = Phase::Playing;
+    } else if (exit) {
+        // It has not met an agent yet: what stopped it was its flags, files or ports.
+        return fail(describe_end("server", *exit, folder_ + "/server.log"),
+                    exit->signalled ? std::nullopt : std::optional(std::max(exit->code, 1)));
     } else if (Clock::now() >= started_ + in_seconds(spec_.lobby_s)) {
         return fail(fmt::format("the server is not ready after {} s", spec_.lobby_s));
     }
@@ -127,14 +127,17 @@ Clock::time_point Episode::patience_with(const Agent& agent) const {
 }
 
 std::optional<Ending> Episode::wait_for_agents_to_leave() {
+    const bool in_order = server_exit_->code == 0;  // else nothing is wanted of the agents
     for (Agent& agent : agents_) {
-        if (agent.child.poll()) continue;
+        if (!in_order || agent.child.poll()) continue;
         if (Clock::now() < patience_with(agent)) return std::nullopt;
         // Its telemetry may lack an end; only where none is read is that no matter.
         if (!agent.foreign) return fail(agent.seat.name() + " did not end with the server");
     }
     Ending ending = collect(spec_, task_, folder_, *server_exit_);
-    if (!ending && deserter_code_ != 0) ending.error().reason += "; first to go: " + deserter_;
+    if (!ending && server_exit_->code == kServerLostAnAgent && deserter_code_ != 0) {
+        ending.error().reason += "; first to go: " + deserter_;
+    }
     return ending;
 }
 

@@ -55,7 +55,7 @@ TEST_F(Program, AnEpisodeWithoutResultIsAFailure) {
 
 TEST_F(Program, MistakesOnTheCommandLineAreNamed) {
     const std::vector<std::pair<std::vector<std::string>, std::string>> mistakes{
-        {{}, "subcommand is required"},
+        {{}, "which subcommand?"},
         {{"mach"}, "mach"},
         {{"match", "--epsiodes", "2"}, "--epsiodes"},
         {{"match", "--episodes", "0"}, "episodes"},

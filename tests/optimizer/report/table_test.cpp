@@ -28,7 +28,7 @@ TEST(Table, IsWhatTheResultsSay) {
     spec.episodes = 3;
     spec.seed = 5;
     spec.keeper_policy = "still";
-    Run run;
+    report::Run run;
     run.results[0] = result(10.0, 2, 1, 0);
     run.results[1] = result(20.0, std::nullopt, 3, 2);
     run.results[2] = result(30.0, 4, 0, 0);
@@ -49,7 +49,7 @@ TEST(Table, IsWhatTheResultsSay) {
 
 TEST(Table, WithoutResultsClaimsNothing) {
     spec::MatchSpec spec;
-    Run run;
+    report::Run run;
     run.failures[0].reason = "server: exit code 1";
     const std::string text = table(spec, run);
     EXPECT_THAT(text, HasSubstr("hold time, s       0        -        -        -\n"));
@@ -62,7 +62,7 @@ TEST(Table, WithoutResultsClaimsNothing) {
 TEST(Table, NamesForeignProgramsAndInterruption) {
     spec::MatchSpec spec;
     spec.taker_command = "./theirs {port}";
-    Run run;
+    report::Run run;
     run.interrupted = true;
     EXPECT_THAT(table(spec, run), HasSubstr("3 keepers against 2 takers (./theirs {port}),"));
     EXPECT_THAT(table(spec, run), HasSubstr("0 of 1 (interrupted)"));

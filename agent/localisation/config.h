@@ -7,7 +7,7 @@
 namespace k3d::agent::localisation {
 
 struct LocalisationConfig {
-    int particles = 500;
+    int particles = 200;  // with poses sensed from landmarks mixed in, more find nothing sooner
     double odometry_position = 0.2;
     double odometry_yaw = 0.2;
     double drift_position = 0.08;
@@ -24,7 +24,8 @@ struct LocalisationConfig {
         f.integer("particles", particles, {20, 5000}, "", "particles of the filter");
         f.number("odometry_position", odometry_position, {0, 2}, "",
                  "error of a step as a share of its length");
-        f.number("odometry_yaw", odometry_yaw, {0, 2}, "", "error of a turn as a share of its angle");
+        f.number("odometry_yaw", odometry_yaw, {0, 2}, "",
+                 "error of a turn as a share of its angle");
         f.number("drift_position", drift_position, {0, 2}, "m/s^0.5",
                  "spread gained while upright, besides the odometry's error");
         f.number("drift_yaw", drift_yaw, {0, 4}, "rad/s^0.5", "the same for the heading");

@@ -9,12 +9,14 @@ namespace {
 
 constexpr double kSystematicPosition = 0.01;  // m: what more views do not average away
 constexpr double kSystematicYaw = 0.003;      // rad
-constexpr double kSureYaw = 0.17;      // rad: with a larger spread lines may be taken for others
-constexpr double kSureShare = 0.6;     // weight of a cluster that settles an ambiguity
+constexpr double kSureYaw = 0.17;   // rad: with a larger spread lines may be taken for others
+constexpr double kSureShare = 0.6;  // weight of a cluster that settles an ambiguity
 constexpr double kClusterBonus = 0.15;
-constexpr double kAmbiguous = 0.1;     // two different poses whose shares differ by less
+constexpr double kAmbiguous = 0.1;  // two different poses whose shares differ by less
 
-double squared(double x) { return x * x; }
+double squared(double x) {
+    return x * x;
+}
 
 bool same_place(const Pose2& a, const Pose2& b) {
     return (a.position - b.position).norm() < 1.0 && std::abs(wrap_angle(a.yaw - b.yaw)) < 0.4;
@@ -117,11 +119,11 @@ bool Localiser::seek(const perception::View& view, const SensedPoses& sensed,
     const auto consider = [&](const Estimate& prior) {
         const Fit fit = refine(view, landmarks_, prior);
         if (fit.share < config_.explained_share) return;
-        const bool likely = cluster.weight >= kSureShare &&
-                            same_place(fit.estimate.pose, cluster.pose);
+        const bool likely =
+            cluster.weight >= kSureShare && same_place(fit.estimate.pose, cluster.pose);
         const double score = fit.share + (likely ? kClusterBonus : 0.0);
-        const bool elsewhere = best_score >= 0.0 && !same_place(fit.estimate.pose,
-                                                                best.estimate.pose);
+        const bool elsewhere =
+            best_score >= 0.0 && !same_place(fit.estimate.pose, best.estimate.pose);
         if (elsewhere) rival_score = std::max(rival_score, std::min(score, best_score));
         if (score > best_score) {
             best_score = score;

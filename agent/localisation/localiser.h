@@ -47,9 +47,9 @@ class Localiser {
     Estimate estimate_;
     Landmarks landmarks_{};
     wire::Side side_ = wire::Side::None;
-    bool found_ = false;      ///< estimate_ rests on views
-    int unexplained_ = 0;     ///< views in a row that estimate_ does not explain
-    Pose2 since_view_;        ///< odometry since the particles were moved
+    bool found_ = false;              ///< estimate_ rests on views
+    int unexplained_ = 0;             ///< views in a row that estimate_ does not explain
+    Pose2 since_view_;                ///< odometry since the particles were moved
     double position_variance_ = 0.0;  ///< and its error
     double yaw_variance_ = 0.0;
     Location location_;

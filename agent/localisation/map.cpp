@@ -51,7 +51,8 @@ const MapLine* match(const Pose2& pose, const perception::LineSight& sight, cons
         if (off > gate.distance) continue;
         const double from = line.along.dot(begin - line.begin);
         const double to = line.along.dot(end - line.begin);
-        const double outside = std::max({0.0, -std::min(from, to), std::max(from, to) - line.length});
+        const double outside =
+            std::max({0.0, -std::min(from, to), std::max(from, to) - line.length});
         if (outside > gate.distance) continue;
         const double cost = (off + outside) / (2.0 * gate.distance);
         if (cost <= best_cost) {

@@ -30,7 +30,9 @@ constexpr double kSensedYawSd = 0.05;      // rad
 constexpr double kJitterPosition = 0.03;   // m, after a draw: keeps copies apart
 constexpr double kJitterYaw = 0.01;        // rad
 
-double squared(double x) { return x * x; }
+double squared(double x) {
+    return x * x;
+}
 
 /// Squared misfit of a straight sighting to the nearest straight line of the same direction. The
 /// field is symmetric in both axes, so one quadrant is enough.
@@ -82,8 +84,8 @@ double Particles::jitter(double deviation) {
 
 void Particles::move(const Pose2& step, double position_sd, double yaw_sd) {
     for (Particle& particle : particles_) {
-        particle.position += rotated(step.position, particle.yaw) +
-                             Vec2(jitter(position_sd), jitter(position_sd));
+        particle.position +=
+            rotated(step.position, particle.yaw) + Vec2(jitter(position_sd), jitter(position_sd));
         particle.yaw += step.yaw + jitter(yaw_sd);
     }
 }
@@ -119,9 +121,9 @@ double Particles::cost(const Particle& particle, const perception::View& view,
 }
 
 Cluster Particles::best_cluster() const {
-    const auto best = std::max_element(
-        particles_.begin(), particles_.end(),
-        [](const Particle& a, const Particle& b) { return a.weight < b.weight; });
+    const auto best =
+        std::max_element(particles_.begin(), particles_.end(),
+                         [](const Particle& a, const Particle& b) { return a.weight < b.weight; });
     Vec2 offset = Vec2::Zero();
     double turn = 0.0;
     double weight = 0.0;
@@ -149,7 +151,8 @@ void Particles::resample(const SensedPoses& sensed, double injected_share) {
     double passed = particles_.front().weight;
     std::size_t source = 0;
     for (Particle& drawn : drawn_) {
-        while (passed < mark && source + 1 < particles_.size()) passed += particles_[++source].weight;
+        while (passed < mark && source + 1 < particles_.size())
+            passed += particles_[++source].weight;
         mark += spacing;
         if (sensed.count > 0 && random_.uniform() < injected_share) {
             const Pose2& pose = sensed.pose[static_cast<std::size_t>(random_.below(sensed.count))];

@@ -10,7 +10,8 @@ namespace {
 
 constexpr double kDistanceNoise = 0.000965;     // share of the distance
 constexpr double kAngleNoise = radians(0.148);  // rad
-constexpr double kOffset = 0.01;  // m: calibration (5 mm an axis), rounding, error of the camera pose
+constexpr double kOffset =
+    0.01;  // m: calibration (5 mm an axis), rounding, error of the camera pose
 constexpr Gate kWide{0.8, 0.17};  // first look: parallel lines lie 1.8 m apart, chords 18 degrees
 constexpr Gate kNarrow{0.25, 0.10};
 constexpr int kIterations = 4;
@@ -46,7 +47,7 @@ void add_landmark(const Pose2& pose, const Vec2& seen, const Vec2& truth, Equati
 void add_line_end(const Pose2& pose, const Vec2& seen, const MapLine& line, Equations& equations) {
     const Vec2 arm = rotated(seen, pose.yaw);
     const double residual = line.normal.dot(pose.position + arm) - line.offset;
-    const double along = line.normal.dot(arm);                 // distance noise acts along the ray
+    const double along = line.normal.dot(arm);  // distance noise acts along the ray
     const double across = line.normal.dot(Vec2(-arm.y(), arm.x()));  // angle noise across it
     const double variance = kOffset * kOffset + along * along * kDistanceNoise * kDistanceNoise +
                             across * across * kAngleNoise * kAngleNoise;

@@ -52,9 +52,9 @@ SensedPoses sensed_poses(const perception::View& view, const Landmarks& landmark
         return poses;
     }
     if (view.landmarks.empty() || view.lines.empty()) return poses;
-    const auto longest = std::max_element(
-        view.lines.begin(), view.lines.end(),
-        [](const auto& a, const auto& b) { return a.length < b.length; });
+    const auto longest =
+        std::max_element(view.lines.begin(), view.lines.end(),
+                         [](const auto& a, const auto& b) { return a.length < b.length; });
     if (longest->length <= kChordLength) return poses;
     const double line_yaw = yaw_of(longest->end - longest->begin);
     const auto& sight = view.landmarks.front();

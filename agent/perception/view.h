@@ -38,8 +38,8 @@ struct PlayerSight {
 struct View {
     std::vector<LandmarkSight> landmarks;
     std::vector<LineSight> lines;
-    std::optional<Vec3> ball;          ///< centre
-    std::vector<PlayerSight> players;  ///< without this agent's own limbs
+    std::optional<Vec3> ball;                 ///< centre
+    std::vector<PlayerSight> players;         ///< without this agent's own limbs
     Quat camera_rotation = Quat::Identity();  ///< as levelled: camera axes -> robot frame
 };
 

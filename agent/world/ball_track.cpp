@@ -7,19 +7,21 @@ namespace k3d::agent::world {
 
 namespace {
 
-constexpr double kBefore = 0.5;          // s, paper-notes: prev_ball
-constexpr double kStale = 1.0;           // s without a measurement: a surprise starts anew
-constexpr double kStartSpeedSd = 1.0;    // m/s
-constexpr double kHeardSd = 0.2;         // m
-constexpr double kHeardSpeedSd = 0.5;    // m/s
-constexpr double kSignificance = 2.5;    // deviations of speed that make a motion
+constexpr double kBefore = 0.5;        // s, paper-notes: prev_ball
+constexpr double kStale = 1.0;         // s without a measurement: a surprise starts anew
+constexpr double kStartSpeedSd = 1.0;  // m/s
+constexpr double kHeardSd = 0.2;       // m
+constexpr double kHeardSpeedSd = 0.5;  // m/s
+constexpr double kSignificance = 2.5;  // deviations of speed that make a motion
 
 }  // namespace
 
 BallTrack::BallTrack(const BallConfig& config)
     : config_(config), finish_(config.alpha, config.lambda) {}
 
-void BallTrack::reset() { *this = BallTrack(config_); }
+void BallTrack::reset() {
+    *this = BallTrack(config_);
+}
 
 bool BallTrack::known(double now) const {
     return now - heard_ < config_.memory && misses_ < config_.misses;
@@ -75,7 +77,9 @@ void BallTrack::hear(const Vec2& position, const Vec2& velocity, double now) {
     judge_motion();
 }
 
-void BallTrack::miss() { ++misses_; }
+void BallTrack::miss() {
+    ++misses_;
+}
 
 void BallTrack::reseat(const Pose2& from, const Pose2& to) {
     filter_.reseat(from, to);

@@ -46,9 +46,9 @@ class BallTrack {
     BallConfig config_;
     PointFilter filter_;
     BallFinish finish_;
-    double now_ = -1e9;     ///< the filter's time
-    double seen_ = -1e9;    ///< by own eyes
-    double heard_ = -1e9;   ///< or seen
+    double now_ = -1e9;       ///< the filter's time
+    double seen_ = -1e9;      ///< by own eyes
+    double heard_ = -1e9;     ///< or seen
     double measured_ = -1e9;  ///< when the filter last took a measurement
     bool moving_ = false;
     int misses_ = 0;

@@ -5,21 +5,25 @@ namespace k3d::agent::world {
 
 namespace {
 
-constexpr double kInView = 0.2;      // s: seen this lately, a player is taken to walk on ...
-constexpr double kUnseenDecay = 2.0;  // 1/s: ... later to slow down, since nobody walks for ever
+constexpr double kInView = 0.2;        // s: seen this lately, a player is taken to walk on ...
+constexpr double kUnseenDecay = 2.0;   // 1/s: ... later to slow down, since nobody walks for ever
 constexpr double kStartSpeedSd = 0.5;  // m/s
 constexpr double kHeardSd = 0.15;      // m: message grid and delay
 constexpr double kGate = 25.0;         // squared deviations; beyond, the player was moved
 constexpr double kJump = 0.5;          // m: a smaller surprise is no move
 
-bool is_unum(int unum) { return unum >= 1 && unum <= PlayerTracks::kMaxUnum; }
+bool is_unum(int unum) {
+    return unum >= 1 && unum <= PlayerTracks::kMaxUnum;
+}
 
 }  // namespace
 
 PlayerTracks::PlayerTracks(const PlayersConfig& players, const TakerConfig& taker)
     : players_(players), taker_(taker) {}
 
-void PlayerTracks::reset() { *this = PlayerTracks(players_, taker_); }
+void PlayerTracks::reset() {
+    *this = PlayerTracks(players_, taker_);
+}
 
 void PlayerTracks::predict(double now) {
     const double dt = now - now_;

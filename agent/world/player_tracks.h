@@ -22,7 +22,8 @@ class PlayerTracks {
     void reset();
     /// To be called once a cycle, before the sightings of that cycle.
     void predict(double now);
-    /// Seen at `position`, off by `sd` m on each axis. `fallen` none: cannot be told from this view.
+    /// Seen at `position`, off by `sd` m on each axis. `fallen` none: cannot be told from this
+    /// view.
     void see(bool mate, int unum, const Vec2& position, double sd, std::optional<bool> fallen,
              double now);
     /// A team-mate says where it is.

@@ -18,8 +18,8 @@ void PointFilter::predict(double dt, double decay, double acceleration_sd) {
     position_ += reach * velocity_;
     velocity_ *= kept;
     const double noise = acceleration_sd * acceleration_sd;
-    position_variance_ += 2.0 * reach * covariance_ + reach * reach * velocity_variance_ +
-                          noise * dt * dt * dt / 3.0;
+    position_variance_ +=
+        2.0 * reach * covariance_ + reach * reach * velocity_variance_ + noise * dt * dt * dt / 3.0;
     covariance_ = kept * (covariance_ + reach * velocity_variance_) + noise * dt * dt / 2.0;
     velocity_variance_ = kept * kept * velocity_variance_ + noise * dt;
 }

@@ -7,14 +7,14 @@ namespace k3d::agent::world {
 
 namespace {
 
-constexpr double kMaxStep = 1.0;  // s between two frames; more, or less than none, is a jump
-constexpr double kPoseJump = 0.15;            // m: a correction that is no mere noise
+constexpr double kMaxStep = 1.0;    // s between two frames; more, or less than none, is a jump
+constexpr double kPoseJump = 0.15;  // m: a correction that is no mere noise
 constexpr double kYawJump = radians(3.0);
 constexpr double kAngleNoise = radians(0.148);  // of vision (SimSpark reference 3.6)
-constexpr double kBallOffset = 0.008;    // m: rounding, calibration, error of the camera's pose
-constexpr double kPlayerOffset = 0.03;   // m: limbs sway about the middle
-constexpr double kSafeView = radians(50.0);   // well inside the view of +-60 degrees
-constexpr double kSafeDistance = 0.3;         // m: nearer than 0.1 m nothing is seen
+constexpr double kBallOffset = 0.008;        // m: rounding, calibration, error of the camera's pose
+constexpr double kPlayerOffset = 0.03;       // m: limbs sway about the middle
+constexpr double kSafeView = radians(50.0);  // well inside the view of +-60 degrees
+constexpr double kSafeDistance = 0.3;        // m: nearer than 0.1 m nothing is seen
 
 /// Error of a sighting at `distance`, in the team frame.
 double sight_sd(double offset, double distance, double yaw_sd) {

@@ -2,7 +2,8 @@
 // From percepts, body state and team-mates' messages to beliefs: perception, localisation and the
 // tracks of ball and players, one cycle at a time.
 //
-// Frame of the result: team frame (beliefs.h). Deterministic: configuration, seed and inputs fix it.
+// Frame of the result: team frame (beliefs.h). Deterministic: configuration, seed and inputs fix
+// it.
 #pragma once
 
 #include <cstdint>

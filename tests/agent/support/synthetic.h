@@ -30,9 +30,9 @@ struct Other {
 };
 
 struct Scene {
-    Pose2 robot;              ///< true pose, field frame
-    double head_yaw = 0.0;    ///< rad, positive left
-    double head_pitch = -0.3;  ///< rad, positive up
+    Pose2 robot;                   ///< true pose, field frame
+    double head_yaw = 0.0;         ///< rad, positive left
+    double head_pitch = -0.3;      ///< rad, positive up
     Quat tilt = Quat::Identity();  ///< of the torso, robot frame; tests may hide it from the agent
     std::optional<Vec2> ball;
     std::vector<Other> others;
@@ -133,8 +133,7 @@ class Eyes {
 
     /// Clips to the view pyramid: x >= 0.1, |y| and |z| <= x tan 60.
     void add_line(const Scene& scene, const field::Line& line, wire::See& see) {
-        const Vec3 begin =
-            scene.to_camera({line.begin.x(), line.begin.y(), 0.0}) + calibration_;
+        const Vec3 begin = scene.to_camera({line.begin.x(), line.begin.y(), 0.0}) + calibration_;
         const Vec3 end = scene.to_camera({line.end.x(), line.end.y(), 0.0}) + calibration_;
         const double slope = std::tan(kHalfView);
         double from = 0.0;
@@ -151,7 +150,8 @@ class Eyes {
         keep(slope * begin.x() - begin.z(), slope * end.x() - end.z());
         keep(slope * begin.x() + begin.z(), slope * end.x() + end.z());
         if (from >= to) return;
-        see.lines.push_back({polar(begin + from * (end - begin)), polar(begin + to * (end - begin))});
+        see.lines.push_back(
+            {polar(begin + from * (end - begin)), polar(begin + to * (end - begin))});
     }
 
     static constexpr double kHalfView = radians(60.0);
@@ -186,8 +186,8 @@ class Walker {
         const Vec2& at = scene.robot.position;
         // Turn back to the middle when far out, else wander.
         const double home = wrap_angle(yaw_of(-at) - scene.robot.yaw);
-        const double turn = at.norm() > 5.0 ? std::clamp(2.0 * home, -1.0, 1.0)
-                                            : 0.6 * std::sin(0.7 * time_);
+        const double turn =
+            at.norm() > 5.0 ? std::clamp(2.0 * home, -1.0, 1.0) : 0.6 * std::sin(0.7 * time_);
         Pose2 step;
         step.position = {speed_ * 0.02, 0.1 * speed_ * 0.02 * std::sin(2.0 * time_)};
         step.yaw = turn * 0.02 * (speed_ > 0.0 ? 1.0 : 0.0);

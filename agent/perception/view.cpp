@@ -26,7 +26,8 @@ struct Camera {
     Vec3 point(const wire::Pol& pol) const { return position + rotation * to_camera(pol); }
 };
 
-Quat levelled(const wire::See& see, const motion::State& body) {
+/// The camera as the body believes it to stand, turned with the torso until the lines lie level.
+Camera levelled(const wire::See& see, const motion::State& body) {
     std::array<Vec3, kMaxGround> ground;
     std::size_t count = 0;
     for (const wire::SeenLine& line : see.lines) {
@@ -36,7 +37,9 @@ Quat levelled(const wire::See& see, const motion::State& body) {
             }
         }
     }
-    return level({ground.data(), count}, body.camera.z()) * body.camera_rotation;
+    const Quat correction = level({ground.data(), count}, body.camera.z());
+    const Vec3 torso(0.0, 0.0, body.torso_height);
+    return {torso + correction * (body.camera - torso), correction * body.camera_rotation};
 }
 
 /// The mean of those of `parts` that were seen.
@@ -82,7 +85,8 @@ Vec3 to_camera(const wire::Pol& pol) {
 }
 
 void look(const wire::See& see, const motion::State& body, const Identity& self, View& view) {
-    const Camera camera{body.camera, levelled(see, body)};
+    const Camera camera = levelled(see, body);
+    view.camera = camera.position;
     view.camera_rotation = camera.rotation;
     view.landmarks.clear();
     for (std::size_t k = 0; k < see.landmarks.size(); ++k) {

@@ -40,6 +40,7 @@ struct View {
     std::vector<LineSight> lines;
     std::optional<Vec3> ball;                 ///< centre
     std::vector<PlayerSight> players;         ///< without this agent's own limbs
+    Vec3 camera = Vec3::Zero();               ///< as levelled: position in the robot frame
     Quat camera_rotation = Quat::Identity();  ///< as levelled: camera axes -> robot frame
 };
 

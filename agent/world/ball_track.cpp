@@ -31,7 +31,8 @@ void BallTrack::predict(double now) {
     const double dt = now - now_;
     now_ = now;
     if (dt > 0.0 && dt < config_.memory) {
-        filter_.predict(dt, field::kRollDecay, config_.acceleration_sd);
+        filter_.predict(dt, field::kRollDecay,
+                        moving_ ? config_.acceleration_sd : config_.rest_acceleration_sd);
         judge_motion();
     }
 }
@@ -71,6 +72,7 @@ void BallTrack::hear(const Vec2& position, const Vec2& velocity, double now) {
     } else {
         start(position, kHeardSd);
         filter_.start(position, kHeardSd, velocity, kHeardSpeedSd);
+        moving_ = velocity.norm() > config_.moving_speed;
     }
     heard_ = measured_ = now;
     misses_ = 0;

@@ -13,8 +13,9 @@ struct BallConfig {
     double lambda = 0.5;
     double memory = 6.0;
     double hear_after = 0.5;
-    double acceleration_sd = 0.3;
-    double kick_gate = 18.0;
+    double acceleration_sd = 0.15;
+    double rest_acceleration_sd = 0.05;
+    double kick_gate = 25.0;
     double kick_speed_sd = 5.0;
     double max_speed = 12.0;
     double moving_speed = 0.25;
@@ -29,6 +30,8 @@ struct BallConfig {
                  "unseen for this long, the ball is taken from team-mates");
         f.number("acceleration_sd", acceleration_sd, {0.01, 50}, "m/s^1.5",
                  "disturbance of a rolling ball");
+        f.number("rest_acceleration_sd", rest_acceleration_sd, {0.001, 50}, "m/s^1.5",
+                 "disturbance of a ball at rest");
         f.number("kick_gate", kick_gate, {4, 200}, "",
                  "squared normalised surprise above which the ball was kicked or stopped");
         f.number("kick_speed_sd", kick_speed_sd, {0.5, 20}, "m/s", "spread of its speed then");
@@ -51,7 +54,7 @@ struct TakerConfig {
 struct PlayersConfig {
     double memory = 8.0;
     double hear_after = 0.5;
-    double acceleration_sd = 1.0;
+    double acceleration_sd = 0.4;
 
     void describe(config::Fields& f) {
         f.number("memory", memory, {0, 60}, "s", "how long an unseen player stays known");

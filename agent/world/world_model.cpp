@@ -67,14 +67,14 @@ void WorldModel::locate(const perception::View* view, const motion::State& body,
     beliefs_.self = {pose, location.position_sd, location.yaw_sd, location.localised, body.upright};
 }
 
-void WorldModel::see(const perception::View& view, const motion::State& body) {
+void WorldModel::see(const perception::View& view) {
     const Self& self = beliefs_.self;
     if (view.ball) {
         const Vec2 local = view.ball->head<2>();
         ball_.see(self.pose.to_global(local), sight_sd(kBallOffset, local.norm(), self.yaw_sd),
                   beliefs_.now);
     } else {
-        look_for_ball(view, body);
+        look_for_ball(view);
     }
     for (const perception::PlayerSight& sight : view.players) {
         players_.see(sight.mate, sight.unum, self.pose.to_global(sight.position),
@@ -84,10 +84,10 @@ void WorldModel::see(const perception::View& view, const motion::State& body) {
 }
 
 /// Nothing hides anything from this camera: a ball that should be in view and is not, is elsewhere.
-void WorldModel::look_for_ball(const perception::View& view, const motion::State& body) {
+void WorldModel::look_for_ball(const perception::View& view) {
     if (!ball_.known(beliefs_.now)) return;
     const Vec2 local = beliefs_.self.pose.to_local(ball_.position());
-    const Vec3 from_camera = Vec3(local.x(), local.y(), field::kBallRadius) - body.camera;
+    const Vec3 from_camera = Vec3(local.x(), local.y(), field::kBallRadius) - view.camera;
     const Vec3 ball = view.camera_rotation.conjugate() * from_camera;
     const double theta = std::atan2(ball.y(), ball.x());
     const double phi = std::atan2(ball.z(), std::hypot(ball.x(), ball.y()));
@@ -119,7 +119,7 @@ const Beliefs& WorldModel::update(const wire::Percepts& percepts, const motion::
     locate(view, body, dt > 0.0 && dt <= kMaxStep ? dt : 0.0);
     ball_.predict(beliefs_.now);
     players_.predict(beliefs_.now);
-    if (view != nullptr && beliefs_.self.localised) see(*view, body);
+    if (view != nullptr && beliefs_.self.localised) see(*view);
     hear(messages);
     ball_.report(beliefs_.now, beliefs_.ball);
     players_.report(beliefs_.now, identity_.unum, beliefs_.mates, beliefs_.opponents);

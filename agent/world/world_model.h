@@ -38,8 +38,8 @@ class WorldModel {
     void reset();
     void follow_game(const wire::Percepts& percepts);
     void locate(const perception::View* view, const motion::State& body, double dt);
-    void see(const perception::View& view, const motion::State& body);
-    void look_for_ball(const perception::View& view, const motion::State& body);
+    void see(const perception::View& view);
+    void look_for_ball(const perception::View& view);
     void hear(std::span<const talk::Message> messages);
 
     perception::Identity identity_;

@@ -12,7 +12,10 @@ namespace {
 /// Runs walker, eyes and localiser side by side.
 struct Trial {
     Trial(const Pose2& start, double speed, std::uint64_t seed, wire::Side on = wire::Side::Left)
-        : walker(start, speed, seed), eyes(seed, true), localiser(LocalisationConfig{}, seed), side(on) {}
+        : walker(start, speed, seed),
+          eyes(seed, true),
+          localiser(LocalisationConfig{}, seed),
+          side(on) {}
 
     void cycle(bool upright = true) {
         const Pose2 odometry = walker.step();
@@ -47,7 +50,8 @@ struct Trial {
 };
 
 Pose2 random_pose(RandomStream& random, double reach) {
-    return {{random.uniform(-reach, reach), random.uniform(-reach, reach)}, random.uniform(-kPi, kPi)};
+    return {{random.uniform(-reach, reach), random.uniform(-reach, reach)},
+            random.uniform(-kPi, kPi)};
 }
 
 TEST(Localiser, FindsItselfWithinTwoSecondsFromAnywhereInTheMiddle) {
@@ -63,7 +67,8 @@ TEST(Localiser, FindsItselfWithinTwoSecondsFromAnywhereInTheMiddle) {
         position_errors.push_back(run.position_error());
         yaw_errors.push_back(run.yaw_error_deg());
     }
-    RecordProperty("median_position_mm", static_cast<int>(1000 * synthetic::median(position_errors)));
+    RecordProperty("median_position_mm",
+                   static_cast<int>(1000 * synthetic::median(position_errors)));
     EXPECT_LT(synthetic::median(position_errors), 0.05);
     EXPECT_LT(synthetic::median(yaw_errors), 1.0);
 }
@@ -79,8 +84,9 @@ TEST(Localiser, StaysExactOnAWalkOfAMinute) {
         position_errors.push_back(run.position_error());
         yaw_errors.push_back(run.yaw_error_deg());
     }
-    std::printf("walk: median %.4f m %.3f deg, max %.4f m %.3f deg\n", synthetic::median(position_errors),
-                synthetic::median(yaw_errors), *std::max_element(position_errors.begin(), position_errors.end()),
+    std::printf("walk: median %.4f m %.3f deg, max %.4f m %.3f deg\n",
+                synthetic::median(position_errors), synthetic::median(yaw_errors),
+                *std::max_element(position_errors.begin(), position_errors.end()),
                 *std::max_element(yaw_errors.begin(), yaw_errors.end()));
     EXPECT_LT(synthetic::median(position_errors), 0.05);
     EXPECT_LT(synthetic::median(yaw_errors), 1.0);

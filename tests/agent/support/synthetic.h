@@ -40,7 +40,7 @@ struct Scene {
     std::string team = "Own";
     int unum = 1;
 
-    Vec3 camera() const { return tilt * Vec3(0.0, 0.0, 0.54); }
+    Vec3 camera() const { return Vec3(0.0, 0.0, 0.385) + tilt * Vec3(0.0, 0.0, 0.155); }
     Quat camera_rotation() const {
         return tilt * Quat(Eigen::AngleAxisd(head_yaw, Vec3::UnitZ())) *
                Quat(Eigen::AngleAxisd(-head_pitch, Vec3::UnitY()));

@@ -84,10 +84,6 @@ TEST(Localiser, StaysExactOnAWalkOfAMinute) {
         position_errors.push_back(run.position_error());
         yaw_errors.push_back(run.yaw_error_deg());
     }
-    std::printf("walk: median %.4f m %.3f deg, max %.4f m %.3f deg\n",
-                synthetic::median(position_errors), synthetic::median(yaw_errors),
-                *std::max_element(position_errors.begin(), position_errors.end()),
-                *std::max_element(yaw_errors.begin(), yaw_errors.end()));
     EXPECT_LT(synthetic::median(position_errors), 0.05);
     EXPECT_LT(synthetic::median(yaw_errors), 1.0);
     EXPECT_LT(*std::max_element(position_errors.begin(), position_errors.end()), 0.15);

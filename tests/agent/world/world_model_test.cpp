@@ -96,7 +96,6 @@ TEST(WorldModel, ARollingBallsVelocityIsRightWhileTheRobotWalks) {
             const double kept = std::exp(-field::kRollDecay * t);
             trial.walker.scene.ball = Vec2(-1.0, 0.5) + velocity * (1.0 - kept) / field::kRollDecay;
             truth = velocity * kept;
-            // The head stays on the ball, as a player's would.
             trial.cycle();
         }
         const Ball& ball = trial.model.beliefs().ball;

@@ -14,11 +14,14 @@ constexpr int kGracePercepts = 5;
 }  // namespace
 
 bool Simulation::everybody_synced() {
-    return std::all_of(agents_.begin(), agents_.end(), [this](const auto& agent) {
-        if (agent->connection->closed() || !agent->player) return true;
-        agent->read_frames();
-        return agent->synced || agent->percepts_sent < kGracePercepts;
-    });
+    bool everybody = true;
+    for (const auto& agent : agents_) {
+        agent->read_frames();  // of newcomers too: their faults must not wait for the others
+        const bool waited_for = agent->player && !agent->connection->closed() &&
+                                agent->percepts_sent >= kGracePercepts;
+        everybody = everybody && (!waited_for || agent->synced);
+    }
+    return everybody;
 }
 
 void Simulation::drop_closed_agents() {

@@ -4,7 +4,6 @@
 
 #include <string>
 
-#define TOML_ENABLE_FORMATTERS 0
 #include <toml++/toml.h>
 
 #include "common/config/walk.h"

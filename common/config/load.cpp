@@ -8,6 +8,7 @@
 
 #include "common/config/config.h"
 #include "common/config/convert.h"
+#include "common/config/stray.h"
 #include "common/config/text.h"
 
 namespace k3d::config {
@@ -83,6 +84,10 @@ std::string at(std::string_view file, toml::source_index line) {
 }
 
 toml::table parse(std::string_view text, std::string_view file) {
+    if (const auto line = stray_letter_line(text)) {
+        throw ConfigError(at(file, static_cast<toml::source_index>(*line)) +
+                          "a letter beyond ASCII stands outside quotes and comments");
+    }
     try {
         return toml::parse(text);
     } catch (const toml::parse_error& error) {
@@ -103,13 +108,15 @@ std::string as_toml(const Field& field, std::string_view value) {
 /// What is wrong with a flag's value; empty if it was stored.
 std::string set_field(const Field& field, std::string_view value) {
     try {
-        const toml::table table = toml::parse("value = " + as_toml(field, value));
+        const std::string text = "value = " + as_toml(field, value);
+        if (stray_letter_line(text)) return "is " + quoted(value) + ", which is no value";
+        const toml::table table = toml::parse(text);
         const toml::node* node = table.get("value");
         if (table.size() == 1 && node != nullptr) return assign(field, *node, true);
     } catch (const toml::parse_error&) {
         // Falls through: the parser's words are about TOML, not about a flag.
     }
-    return "is " + quoted(value) + ", which cannot be read as a value";
+    return "is " + quoted(value) + ", which is no value";
 }
 
 }  // namespace

@@ -127,6 +127,22 @@ TEST(ConfigLoad, NamesTheLineOfASyntaxFault) {
     EXPECT_THAT(fault_of("port = 1\nport = 2\n"), testing::StartsWith("run.toml:2: "));
 }
 
+TEST(ConfigLoad, LettersBeyondAsciiStandInQuotesAndCommentsOnly) {
+    const std::string fault = "a letter beyond ASCII stands outside quotes and comments";
+    EXPECT_EQ(fault_of("port = 1\nst\u00E4rke = 1\n"), "run.toml:2: " + fault);
+    EXPECT_EQ(fault_of("\u044F"), "run.toml:1: " + fault);
+    EXPECT_EQ(fault_of("name = \"\"\"\n\\\u044F\"\"\""), "run.toml:2: " + fault);
+    EXPECT_THAT(fault_of("name = \"\xFF\""), testing::StartsWith("run.toml:1: "));
+    Match run;
+    load_text(describing(run),
+              "\xEF\xBB\xBF# gr\u00FC\u00DFe \"\nname = \"J\u00FCrgen \\\" #\" # '\u00E4\n"
+              "pace = 'sync'\nport = 7\n",
+              "run.toml");
+    EXPECT_EQ(run.name, "J\u00FCrgen \" #");
+    EXPECT_EQ(run.pace, "sync");
+    EXPECT_EQ(run.port, 7);
+}
+
 TEST(ConfigLoad, FilesThatCannotBeReadAreNamed) {
     Match run;
     const std::string missing = testing::TempDir() + "k3d_no_such.toml";
@@ -210,10 +226,11 @@ TEST(ConfigSet, NamesPathAndValueOfAFault) {
     EXPECT_EQ(set_fault("walk.step_heigt", "1"),
               "unknown key \"walk.step_heigt\", the nearest known one is \"walk.step_height\"");
     EXPECT_EQ(set_fault("walk.step_height", "1"), "\"walk.step_height\" is 1, allowed is 0 to 0.1");
-    EXPECT_EQ(set_fault("port", "abc"), "\"port\" is \"abc\", which cannot be read as a value");
+    EXPECT_EQ(set_fault("port", "abc"), "\"port\" is \"abc\", which is no value");
     EXPECT_EQ(set_fault("port", "1\nnoise = false"),
-              "\"port\" is \"1\\u000Anoise = false\", which cannot be read as a value");
-    EXPECT_EQ(set_fault("port", ""), "\"port\" is \"\", which cannot be read as a value");
+              "\"port\" is \"1\\u000Anoise = false\", which is no value");
+    EXPECT_EQ(set_fault("port", "\u00E4"), "\"port\" is \"\u00E4\", which is no value");
+    EXPECT_EQ(set_fault("port", ""), "\"port\" is \"\", which is no value");
     EXPECT_EQ(set_fault("walk", "1"), "\"walk\" is a section, wanted is a value in it");
 }
 

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A real k3d-server process and plain wire clients, for tests over real sockets.
+#pragma once
+
+#include <chrono>
+#include <string>
+#include <vector>
+
+#include "common/net/net.h"
+#include "common/process/child.h"
+#include "common/wire/commands.h"
+#include "common/wire/frame.h"
+#include "common/wire/percepts.h"
+
+namespace k3d::testing {
+
+inline constexpr std::chrono::seconds kPatience{30};
+
+/// Started on free ports, ended with the object.
+class ServerProcess {
+  public:
+    explicit ServerProcess(std::vector<std::string> flags);
+
+    std::uint16_t agent_port() const { return agent_port_; }
+    std::uint16_t trainer_port() const { return trainer_port_; }
+    std::string log() const;  ///< what it has printed so far
+    process::Child& child() { return child_; }
+
+  private:
+    std::string log_file_;
+    process::Child child_;
+    std::uint16_t agent_port_ = 0;
+    std::uint16_t trainer_port_ = 0;
+};
+
+/// An agent that a test plays by hand.
+class WireAgent {
+  public:
+    explicit WireAgent(const ServerProcess& server) : client_("127.0.0.1", server.agent_port(), kPatience) {}
+
+    void send(const std::string& payload) { client_.send(payload); }
+    /// Next frame decoded; false at the connection's end. Fails the test on damaged frames.
+    bool receive(wire::Percepts& percepts);
+    /// scene, percept, init; returns once the frame with the team has come, at most ten frames later.
+    wire::Percepts join(int unum, const std::string& team, int type = 0);
+    /// Sends the commands with (syn) and reads the next frame.
+    wire::Percepts step(const std::string& commands = "");
+    const std::string& last_payload() const { return payload_; }
+
+  private:
+    net::Client client_;
+    std::string payload_;
+};
+
+}  // namespace k3d::testing

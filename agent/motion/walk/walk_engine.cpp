@@ -12,7 +12,7 @@ namespace {
 
 using nao::JointId;
 
-constexpr double kStoppedDistance = 0.01;  // m, feet this close to the stance may just stand
+constexpr double kStoppedDistance = 0.012;  // m, feet this close to the stance may just stand
 constexpr double kSteady = 0.08;           // rad, tilt error below which walking may stop
 constexpr double kMaxError = 0.5;          // rad, beyond it the robot falls whatever is done
 constexpr double kMaxHeadingError = 0.25;  // rad
@@ -82,6 +82,7 @@ Walk WalkEngine::steered(const Posture& posture) {
     const double turned = posture.rate.dot(posture.up);
     heading_error_ = std::clamp(heading_error_ + (velocity_.turn - turned) * kCycleSeconds,
                                 -kMaxHeadingError, kMaxHeadingError);
+    if (is_zero(velocity_)) heading_error_ = 0.0;  // coming to a stop: no more turning
     Walk velocity = velocity_;
     velocity.forward *= config_.forward_scale;
     velocity.left *= config_.sideways_scale;
@@ -120,7 +121,7 @@ bool WalkEngine::step(const BodySense&, const Posture& posture, const Walk& wish
     steps_.advance(steered(posture), landing_shift());
     const bool steady = std::max(std::abs(pitch_now_), std::abs(roll_now_)) < kSteady;
     if (is_zero(wish) && is_zero(velocity_) && steps_.stepped() && steady &&
-        steps_.distance_from_stance() < kStoppedDistance) {
+        steps_.distance_from_stance() < kStoppedDistance * scale_) {
         moving_ = false;
     }
     place_leg(Side::Right, steps_.foot(Side::Right), out);

@@ -12,7 +12,7 @@ struct Config {
     double max_forward = 0.8;
     double max_backward = 0.5;
     double max_sideways = 0.3;
-    double max_turn = 1.9;
+    double max_turn = 2.3;
     double forward_acceleration = 0.8;
     double sideways_acceleration = 0.6;
     double turn_acceleration = 6.0;
@@ -21,7 +21,7 @@ struct Config {
     double forward_scale = 1.0;
     double sideways_scale = 1.0;
     double turn_scale = 1.0;
-    double heading_gain = 2.0;
+    double heading_gain = 3.0;
 
     // The step.
     double step_duration = 0.14;

@@ -111,7 +111,11 @@ std::vector<std::string> agent_command(const spec::MatchSpec& spec, const Task& 
                                    "--role",
                                    seat.keeper ? "keeper" : "taker",
                                    "--seed",
-                                   std::to_string(task.seed)};
+                                   std::to_string(task.seed),
+                                   "--keepers",
+                                   std::to_string(spec.keepers),
+                                   "--takers",
+                                   std::to_string(spec.takers)};
     const spec::Settings settings = spec::parse_settings(spec.settings);
     if (seat.keeper) {
         add(words, "--keeper-policy", spec.keeper_policy);

@@ -52,6 +52,8 @@ TEST(Commands, RolesDecideWhatAnAgentIsTold) {
     spec::MatchSpec spec;
     spec.keeper_policy = "still";
     spec.taker = "greedy_random";
+    spec.keepers = 4;
+    spec.takers = 3;
     const auto keeper = agent_command(spec, {0, 9, 1}, "/f", {true, 2}, 4321);
     EXPECT_EQ(after(keeper, "--port"), "4321");
     EXPECT_EQ(after(keeper, "--unum"), "2");
@@ -60,6 +62,8 @@ TEST(Commands, RolesDecideWhatAnAgentIsTold) {
     EXPECT_EQ(after(keeper, "--keeper-policy"), "still");
     EXPECT_EQ(after(keeper, "--telemetry"), "/f/keeper-2.telemetry.jsonl");
     EXPECT_EQ(after(keeper, "--seed"), "9");
+    EXPECT_EQ(after(keeper, "--keepers"), "4");
+    EXPECT_EQ(after(keeper, "--takers"), "3");
     const auto taker = agent_command(spec, {0, 9, 1}, "/f", {false, 1}, 4321);
     EXPECT_EQ(after(taker, "--team"), "Takers");
     EXPECT_EQ(after(taker, "--taker"), "greedy_random");

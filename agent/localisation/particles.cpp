@@ -20,7 +20,7 @@ constexpr double kHeadingSd = 0.06;   // rad, of a line
 constexpr double kMaxCost = 16.0;
 constexpr double kStraightLength = 1.4;  // m: longer than any chord of the centre circle
 constexpr double kEndMargin = 0.5;       // m
-constexpr int kMaxLines = 8;             // more add cost, not knowledge
+constexpr std::size_t kMaxLines = 8;     // more add cost, not knowledge
 
 constexpr double kSlowRate = 0.02;  // of the two means of fit
 constexpr double kFastRate = 0.2;
@@ -36,7 +36,7 @@ double squared(double x) {
 
 /// Squared misfit of a straight sighting to the nearest straight line of the same direction. The
 /// field is symmetric in both axes, so one quadrant is enough.
-double line_cost(const Vec2& middle, const Vec2& heading, double distance) {
+double line_cost(const Vec2& middle, const Vec2& heading, double offset_weight) {
     const double ax = std::abs(middle.x());
     const double ay = std::abs(middle.y());
     double off = 1e9;
@@ -54,7 +54,7 @@ double line_cost(const Vec2& middle, const Vec2& heading, double distance) {
             if (ay < kPenaltyY + kEndMargin) off = std::min(off, std::abs(ax - kPenaltyX));
         }
     }
-    return squared(off / (kOffsetSd + kAngleSd * distance)) + squared(turn / kHeadingSd);
+    return squared(off) * offset_weight + squared(turn) * (1.0 / squared(kHeadingSd));
 }
 
 }  // namespace
@@ -90,32 +90,40 @@ void Particles::move(const Pose2& step, double position_sd, double yaw_sd) {
     }
 }
 
-double Particles::cost(const Particle& particle, const perception::View& view,
-                       const Landmarks& landmarks) const {
+void Particles::prepare(const perception::View& view, const Landmarks& landmarks) {
+    marks_.clear();
+    for (const auto& sight : view.landmarks) {
+        const double d2 = std::max(sight.position.squaredNorm(), 0.01);
+        marks_.push_back({sight.position, landmarks[static_cast<std::size_t>(sight.landmark)],
+                          1.0 / d2, 1.0 / (squared(kOffsetSd) + d2 * squared(kDistanceSd)),
+                          1.0 / (squared(kOffsetSd) + d2 * squared(kAngleSd))});
+    }
+    straights_.clear();
+    for (const auto& sight : view.lines) {
+        if (sight.length < kStraightLength || straights_.size() == kMaxLines) continue;
+        const Vec2 middle = 0.5 * (sight.begin + sight.end);
+        straights_.push_back({middle, (sight.end - sight.begin) / sight.length,
+                              1.0 / squared(kOffsetSd + kAngleSd * middle.norm())});
+    }
+}
+
+double Particles::cost(const Particle& particle) const {
     const double c = std::cos(particle.yaw);
     const double s = std::sin(particle.yaw);
     const auto turned = [c, s](const Vec2& v) {
         return Vec2(c * v.x() - s * v.y(), s * v.x() + c * v.y());
     };
     double sum = 0.0;
-    for (const auto& sight : view.landmarks) {
-        const Vec2 arm = turned(sight.position);
-        const Vec2 error =
-            particle.position + arm - landmarks[static_cast<std::size_t>(sight.landmark)];
-        const double d2 = std::max(arm.squaredNorm(), 0.01);
-        const double along2 = squared(error.dot(arm)) / d2;
+    for (const Mark& mark : marks_) {
+        const Vec2 arm = turned(mark.seen);
+        const Vec2 error = particle.position + arm - mark.truth;
+        const double along2 = squared(error.dot(arm)) * mark.inverse_d2;
         const double across2 = std::max(error.squaredNorm() - along2, 0.0);
-        sum += std::min(kMaxCost, along2 / (squared(kOffsetSd) + d2 * squared(kDistanceSd)) +
-                                      across2 / (squared(kOffsetSd) + d2 * squared(kAngleSd)));
+        sum += std::min(kMaxCost, along2 * mark.along_weight + across2 * mark.across_weight);
     }
-    int lines = 0;
-    for (const auto& sight : view.lines) {
-        if (sight.length < kStraightLength) continue;
-        if (++lines > kMaxLines) break;
-        const Vec2 middle = 0.5 * (sight.begin + sight.end);
-        const Vec2 heading = turned((sight.end - sight.begin) / sight.length);
-        sum += std::min(kMaxCost, line_cost(particle.position + turned(middle), heading,
-                                            std::abs(middle.x()) + std::abs(middle.y())));
+    for (const Straight& line : straights_) {
+        sum += std::min(kMaxCost, line_cost(particle.position + turned(line.middle),
+                                            turned(line.heading), line.offset_weight));
     }
     return sum;
 }
@@ -170,9 +178,10 @@ void Particles::resample(const SensedPoses& sensed, double injected_share) {
 Cluster Particles::weigh(const perception::View& view, const Landmarks& landmarks,
                          const SensedPoses& sensed) {
     if (view.landmarks.empty() && view.lines.empty()) return best_cluster();
+    prepare(view, landmarks);
     double least = 1e18;
     for (Particle& particle : particles_) {
-        particle.weight = cost(particle, view, landmarks);  // turned into a weight below
+        particle.weight = cost(particle);  // turned into a weight below
         least = std::min(least, particle.weight);
     }
     for (Particle& particle : particles_) {

@@ -42,8 +42,20 @@ class Particles {
         double weight;
     };
 
-    double cost(const Particle& particle, const perception::View& view,
-                const Landmarks& landmarks) const;
+    /// What all particles are compared with, worked out once a view.
+    struct Mark {
+        Vec2 seen;   ///< robot frame
+        Vec2 truth;  ///< team frame
+        double inverse_d2, along_weight, across_weight;
+    };
+    struct Straight {
+        Vec2 middle;  ///< robot frame
+        Vec2 heading;
+        double offset_weight;
+    };
+
+    void prepare(const perception::View& view, const Landmarks& landmarks);
+    double cost(const Particle& particle) const;
     Cluster best_cluster() const;
     void resample(const SensedPoses& sensed, double injected_share);
     double jitter(double deviation);
@@ -52,6 +64,8 @@ class Particles {
     RandomStream random_;
     std::vector<Particle> particles_;
     std::vector<Particle> drawn_;
+    std::vector<Mark> marks_;
+    std::vector<Straight> straights_;
     double fit_slow_ = 1.0;  ///< long and short means of how well views fit, 0..1
     double fit_fast_ = 0.0;
 };

@@ -1,3 +1,164 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// k3d-optimizer: program entry.
-int main() { return 0; }
+// k3d-optimizer: command line to specification, one subcommand each.
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <array>
+#include <functional>
+#include <iostream>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "common/config/config.h"
+#include "common/log/log.h"
+#include "common/version/version.h"
+#include "optimizer/daemon.h"
+#include "optimizer/report/progress.h"
+#include "optimizer/report/table.h"
+#include "optimizer/spec/match_spec.h"
+#include "optimizer/spec/words.h"
+
+namespace {
+
+using k3d::optimizer::spec::MatchSpec;
+
+constexpr int kExitFailed = 1;
+constexpr int kExitUsage = 2;
+constexpr int kExitInterrupted = 130;
+
+/// What a command line asks for: files first, then what the flags say.
+struct Options {
+    std::vector<std::string> config_files;
+    std::vector<std::pair<std::string, std::string>> fields;  ///< key, value
+    std::string settings;
+    bool print_config = false;
+};
+
+/// Flags of `match` that set a field of its specification.
+const std::vector<std::array<const char*, 3>> kMatchFlags{
+    {"--episodes", "episodes", "episodes to play (default 1)"},
+    {"--seed", "seed", "of the first episode, the next ones count up (default 1)"},
+    {"--jobs", "jobs", "episodes at a time; no result depends on it (default 1)"},
+    {"--keepers", "keepers", "keepers (default 3)"},
+    {"--takers", "takers", "takers (default 2)"},
+    {"--keeper-policy", "keeper_policy", "how keepers decide: a name or a file, as k3d-agent's"},
+    {"--taker", "taker", "greedy or greedy_random (default greedy)"},
+    {"--pace", "pace", "realtime, sync or fast (default fast)"},
+    {"--keeper-command", "keeper_command",
+     "program for the keepers' seats; {host} {port} {unum} {team} are filled in; no shell"},
+    {"--taker-command", "taker_command", "the same for the takers' seats"},
+    {"--server-config", "server_config", "TOML file for k3d-server"},
+    {"--agent-config", "agent_config", "TOML file for every k3d-agent"},
+    {"--results", "results", "file for one EpisodeResult line per episode"},
+    {"--log-folder", "log_folder",
+     "keep all logs here (default: a temporary folder, kept for failed tries)"},
+    {"--retries", "retries", "further tries of an episode without a valid result (default 3)"},
+    {"--deadline-s", "deadline_s", "wall seconds one try may take (default 1800)"},
+    {"--lobby-s", "lobby_s", "wall seconds until all seats must be taken (default 60)"},
+    {"--hung-agent-s", "hung_agent_s",
+     "wall seconds an agent may keep others waiting (default 30)"},
+};
+
+void add_match_flags(CLI::App& match, Options& options) {
+    for (const auto& [flag, key, help] : kMatchFlags) {
+        match.add_option_function<std::string>(
+            flag,
+            [&options, field = std::string(key)](const std::string& value) {
+                options.fields.emplace_back(field, value);
+            },
+            help);
+    }
+    CLI::Option* http = match.add_option_function<std::string>(
+        "--http",
+        [&options](const std::string& value) { options.fields.emplace_back("http_port", value); },
+        "port of the page, 0 = any (default: no page)");
+    match
+        .add_flag_callback(
+            "--no-viewer", [&options] { options.fields.emplace_back("http_port", "-1"); },
+            "no page")
+        ->excludes(http);
+    match
+        .add_option_function<std::vector<std::string>>(
+            "--set",
+            [&options](const std::vector<std::string>& values) {
+                for (const std::string& value : values) {
+                    options.settings += " " + k3d::optimizer::spec::quote_word(value);
+                }
+            },
+            "PROGRAM:path=value for server, agent, keeper or taker, e.g. "
+            "server:keepaway.side=12; may be repeated")
+        ->allow_extra_args(false);
+    match
+        .add_option("--config", options.config_files,
+                    "TOML file of these settings, as --print-config prints it; flags win")
+        ->allow_extra_args(false);
+    match.add_flag("--print-config", options.print_config, "print the resolved run, and end");
+}
+
+MatchSpec resolve(const Options& options) {
+    MatchSpec spec;
+    const auto describe = k3d::config::describing(spec);
+    for (const std::string& file : options.config_files) k3d::config::load_file(describe, file);
+    for (const auto& [key, value] : options.fields) k3d::config::set(describe, key, value);
+    spec.settings += spec.settings.empty() && !options.settings.empty() ? options.settings.substr(1)
+                                                                        : options.settings;
+    k3d::optimizer::spec::check(spec);
+    return spec;
+}
+
+int run_match(const Options& options) {
+    MatchSpec spec = resolve(options);
+    if (options.print_config) {
+        std::cout << k3d::config::print(k3d::config::describing(spec));
+        return 0;
+    }
+    k3d::optimizer::report::Progress progress(spec, std::cout, ::isatty(STDOUT_FILENO) == 1);
+    const auto run = k3d::optimizer::play_match(spec, progress);
+    progress.end();
+    std::cout << k3d::optimizer::report::table(spec, run);
+    if (run.interrupted) return kExitInterrupted;
+    return run.failures.empty() ? 0 : kExitFailed;
+}
+
+/// Runs what was chosen on the command line; every failure is one line and an exit code.
+int guarded(const std::function<int()>& command) {
+    try {
+        return command();
+    } catch (const k3d::optimizer::HopelessRun& error) {
+        std::cerr << "k3d-optimizer: " << error.what() << '\n';
+        return error.exit_code == kExitUsage ? kExitUsage : kExitFailed;
+    } catch (const k3d::config::ConfigError& error) {
+        std::cerr << error.what() << '\n';
+        return kExitUsage;
+    } catch (const std::invalid_argument& error) {
+        std::cerr << "k3d-optimizer: " << error.what() << '\n';
+        return kExitUsage;
+    } catch (const std::exception& error) {
+        std::cerr << "k3d-optimizer: " << error.what() << '\n';
+        return kExitFailed;
+    }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    CLI::App app{"k3d-optimizer: plays matches of keepaway and measures them"};
+    app.set_version_flag("--version", std::string(k3d::code_version()));
+    app.require_subcommand(0, 1);  // none is looked at below: then a misspelt one is named
+    Options match_options;
+    CLI::App* match = app.add_subcommand(
+        "match", "plays episodes of keepaway, each with new processes, and prints a table");
+    add_match_flags(*match, match_options);
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        return app.exit(error) == 0 ? 0 : kExitUsage;
+    }
+    if (!match->parsed()) {
+        std::cerr << "k3d-optimizer: which subcommand? See k3d-optimizer --help\n";
+        return kExitUsage;
+    }
+    k3d::log::start("k3d-optimizer", "info");
+    return guarded([&] { return run_match(match_options); });
+}

@@ -202,6 +202,11 @@ pid_t Child::pid() const {
 std::map<std::string, std::string> Child::wait_ready(milliseconds patience) {
     return impl_->wait_ready(patience);
 }
+std::optional<std::map<std::string, std::string>> Child::poll_ready() {
+    impl_->drain();
+    if (!impl_->ready) return std::nullopt;
+    return pairs_of(*impl_->ready);
+}
 std::optional<Exit> Child::poll() {
     return impl_->poll();
 }

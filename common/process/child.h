@@ -47,6 +47,9 @@ class Child {
     /// {"agent": "40123"}. Throws ProcessError on exit (with the log's last lines) or deadline.
     std::map<std::string, std::string> wait_ready(std::chrono::milliseconds patience);
 
+    /// The same without waiting: none until the line has been printed. The end is poll()'s to tell.
+    std::optional<std::map<std::string, std::string>> poll_ready();
+
     std::optional<Exit> poll();                                    ///< none while running
     std::optional<Exit> wait(std::chrono::milliseconds patience);  ///< none if still running then
     void terminate();  ///< SIGTERM to the group

@@ -16,14 +16,26 @@ void Config::describe(config::Fields& f) {
              "how fast the turning speed may change");
     f.number("braking", braking, {0.05, 20.0}, "m/s^2", "how fast the forward speed may fall to 0");
 
+    f.number("forward_scale", forward_scale, {0.5, 2.0}, "",
+             "speed of the steps over the speed wanted, since feet slip");
+    f.number("sideways_scale", sideways_scale, {0.5, 2.0}, "", "the same sideways");
+    f.number("turn_scale", turn_scale, {0.5, 2.0}, "", "the same for turning");
+    f.number("heading_gain", heading_gain, {0.0, 20.0}, "1/s",
+             "extra turn per heading error that the gyro has seen");
+
     f.number("step_duration", step_duration, {0.08, 0.6}, "s", "time from one landing to the next");
     f.number("lift_start", lift_start, {0.0, 0.45}, "", "share of the step before the foot lifts");
     f.number("lift_end", lift_end, {0.55, 1.0}, "", "share of the step after which it has landed");
     f.number("step_height", step_height, {0.0, 0.12}, "m", "how high the foot lifts on the spot");
     f.number("step_height_gain", step_height_gain, {-0.05, 0.1}, "s",
              "extra lift per forward speed");
+    f.number("lift_shape", lift_shape, {0.2, 3.0}, "",
+             "exponent of the half sine of the lift: small lifts early and lands late");
     f.number("landing_match", landing_match, {0.0, 1.5}, "",
              "share of the ground's speed that the foot takes on at lift and landing");
+
+    f.number("swing_ease", swing_ease, {0.0, 1.5}, "",
+             "0 swings the foot at constant speed, 1 starts and ends its way at rest");
 
     f.number("crouch", crouch, {0.005, 0.12}, "m", "how much lower than straight legs the hips are");
     f.number("spread", spread, {-0.02, 0.05}, "m", "how much wider than the hips a foot stands");

@@ -9,47 +9,54 @@ namespace k3d::agent::motion::walk {
 
 struct Config {
     // Limits of what may be asked.
-    double max_forward = 0.8;
+    double max_forward = 0.85;
     double max_backward = 0.5;
-    double max_sideways = 0.35;
-    double max_turn = 2.1;
-    double forward_acceleration = 1.0;
-    double sideways_acceleration = 1.0;
+    double max_sideways = 0.3;
+    double max_turn = 2.547;
+    double forward_acceleration = 0.8;
+    double sideways_acceleration = 0.6;
     double turn_acceleration = 6.0;
     double braking = 1.5;
 
+    double forward_scale = 1.0;
+    double sideways_scale = 1.0;
+    double turn_scale = 1.0;
+    double heading_gain = 3.0;
+
     // The step.
-    double step_duration = 0.16;
-    double lift_start = 0.1;
-    double lift_end = 0.9;
-    double step_height = 0.025;
+    double step_duration = 0.14;
+    double lift_start = 0.04;
+    double lift_end = 0.96;
+    double step_height = 0.018;
     double step_height_gain = 0.01;
-    double landing_match = 0.8;
+    double lift_shape = 0.6;
+    double landing_match = 0.0;
+    double swing_ease = 0.3491;
 
     // The stance.
-    double crouch = 0.035;
+    double crouch = 0.04398;
     double spread = 0.0;
     double foot_forward = 0.0;
-    double foot_forward_gain = 0.0;
-    double lean = 0.05;
+    double foot_forward_gain = 0.02;
+    double lean = 0.08;
     double lean_gain = 0.05;
-    double sway = 0.01;
+    double sway = 0.005;
     double sway_phase = 0.0;
-    double toe_up = 0.0;
+    double toe_up = -0.1;
 
     // Balance: which share of the torso's tilt error the legs take up, and the steps.
     double pitch_lead = 0.03;
-    double roll_lead = 0.03;
+    double roll_lead = 0.02461;
     double support_pitch = 0.0;
     double support_roll = 0.0;
     double support_turn_pitch = 0.0;
     double support_turn_roll = 0.0;
     double swing_pitch = 0.5;
     double swing_roll = 0.5;
-    double swing_turn_pitch = 0.5;
+    double swing_turn_pitch = 0.8;
     double swing_turn_roll = 0.5;
-    double step_forward = 0.1;
-    double step_forward_rate = 0.01;
+    double step_forward = 0.02;
+    double step_forward_rate = 0.001489;
     double step_sideways = 0.1;
     double step_sideways_rate = 0.01;
 
@@ -58,7 +65,7 @@ struct Config {
     double shoulder_yaw = 0.2;
     double arm_roll = 1.57;
     double elbow = 0.9;
-    double arm_swing = 0.5;
+    double arm_swing = 0.443;
 
     void describe(config::Fields& f);
 };

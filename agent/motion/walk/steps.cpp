@@ -12,11 +12,13 @@ namespace k3d::agent::motion::walk {
 
 namespace {
 
-double hermite(double from, double to, double slope, double u) {
+/// Way of a swing foot, u = 0..1. `ease` 0 is the constant speed that spares the joints, 1 starts
+/// and ends at rest; `slope` is the speed (per unit of u) added at both ends.
+double swing_way(double from, double to, double slope, double ease, double u) {
     const double u2 = u * u;
     const double u3 = u2 * u;
-    const double tangent = (u3 - 2.0 * u2 + u) + (u3 - u2);  // the same slope at both ends
-    return from + (to - from) * (3.0 * u2 - 2.0 * u3) + slope * tangent;
+    const double tangent = 2.0 * u3 - 3.0 * u2 + u;
+    return from + (to - from) * (u + ease * (3.0 * u2 - 2.0 * u3 - u)) + slope * tangent;
 }
 
 Side other(Side side) { return side == Side::Right ? Side::Left : Side::Right; }
@@ -88,12 +90,14 @@ void Steps::swing_foot(const Walk& velocity, const Correction& correction) {
         landing.position.y() = std::min(landing.position.y(), -inner);
     }
     const double match = -config_.landing_match * air_time;
-    foot.ground.position = {hermite(lifted_from_.position.x(), landing.position.x(),
-                                    match * velocity.forward, u),
-                            hermite(lifted_from_.position.y(), landing.position.y(),
-                                    match * velocity.left, u)};
-    foot.ground.yaw = hermite(lifted_from_.yaw, landing.yaw, match * velocity.turn, u);
-    foot.air = 0.5 * (1.0 - std::cos(2.0 * kPi * u));
+    const auto way = [&](double from, double to, double speed) {
+        return swing_way(from, to, match * speed, config_.swing_ease, u);
+    };
+    foot.ground.position = {
+        way(lifted_from_.position.x(), landing.position.x(), velocity.forward),
+        way(lifted_from_.position.y(), landing.position.y(), velocity.left)};
+    foot.ground.yaw = way(lifted_from_.yaw, landing.yaw, velocity.turn);
+    foot.air = std::pow(std::sin(kPi * u), config_.lift_shape);
     foot.lift = foot.air * (config_.step_height + config_.step_height_gain *
                                                       std::abs(velocity.forward)) * scale_;
 }

@@ -12,9 +12,10 @@ namespace {
 
 using nao::JointId;
 
-constexpr double kStoppedDistance = 0.01;  // m, feet this close to the stance may just stand
+constexpr double kStoppedDistance = 0.012;  // m, feet this close to the stance may just stand
 constexpr double kSteady = 0.08;           // rad, tilt error below which walking may stop
 constexpr double kMaxError = 0.5;          // rad, beyond it the robot falls whatever is done
+constexpr double kMaxHeadingError = 0.25;  // rad
 constexpr double kMaxLandingShift = 0.08;  // m
 
 Mat3 about_x(double angle) { return Eigen::AngleAxisd(angle, Vec3::UnitX()).toRotationMatrix(); }
@@ -44,6 +45,7 @@ WalkEngine::WalkEngine(const nao::Model& model, const Config& config)
 
 void WalkEngine::start(const Walk& wish) {
     velocity_ = {};
+    heading_error_ = 0.0;
     // A sideways walk or turn begins with the foot of that side, which opens the stance.
     const bool left_first = wish.left + 0.1 * wish.turn >= 0.0;
     steps_.start(left_first ? Side::Left : Side::Right);
@@ -75,6 +77,19 @@ void WalkEngine::follow(const Walk& wish) {
                               config_.turn_acceleration * kCycleSeconds);
 }
 
+Walk WalkEngine::steered(const Posture& posture) {
+    // Feet slip, most of all in turns; the gyro tells how far the robot has really turned.
+    const double turned = posture.rate.dot(posture.up);
+    heading_error_ = std::clamp(heading_error_ + (velocity_.turn - turned) * kCycleSeconds,
+                                -kMaxHeadingError, kMaxHeadingError);
+    if (is_zero(velocity_)) heading_error_ = 0.0;  // coming to a stop: no more turning
+    Walk velocity = velocity_;
+    velocity.forward *= config_.forward_scale;
+    velocity.left *= config_.sideways_scale;
+    velocity.turn = velocity.turn * config_.turn_scale + config_.heading_gain * heading_error_;
+    return velocity;
+}
+
 void WalkEngine::balance(const Posture& posture) {
     const auto limited = [](double error) { return std::clamp(error, -kMaxError, kMaxError); };
     pitch_now_ = limited(posture.pitch - lean());
@@ -103,15 +118,19 @@ bool WalkEngine::step(const BodySense&, const Posture& posture, const Walk& wish
     if (!moving_) start(wish);
     follow(wish);
     balance(posture);
-    steps_.advance(velocity_, landing_shift());
+    steps_.advance(steered(posture), landing_shift());
     const bool steady = std::max(std::abs(pitch_now_), std::abs(roll_now_)) < kSteady;
     if (is_zero(wish) && is_zero(velocity_) && steps_.stepped() && steady &&
-        steps_.distance_from_stance() < kStoppedDistance) {
+        steps_.distance_from_stance() < kStoppedDistance * scale_) {
         moving_ = false;
     }
     place_leg(Side::Right, steps_.foot(Side::Right), out);
     place_leg(Side::Left, steps_.foot(Side::Left), out);
-    place_arms(out);
+    // Positive shoulder pitch lifts the arm forward; an arm swings against its own side's foot.
+    const auto arm = [this](Side side) {
+        return -config_.arm_swing * steps_.foot(side).ground.position.x();
+    };
+    place_arms(arm(Side::Right), arm(Side::Left), out);
     return moving_;
 }
 
@@ -141,13 +160,9 @@ void WalkEngine::place_leg(Side side, const Foot& foot, JointTargets& out) const
     leg.solve(target, out.angle);
 }
 
-void WalkEngine::place_arms(JointTargets& out) const {
-    const auto swing = [this](Side side) {
-        return config_.arm_swing * steps_.foot(side).ground.position.x();
-    };
-    // Positive shoulder pitch lifts the arm forward; an arm swings against its own side's foot.
-    out[JointId::RShoulderPitch] = config_.shoulder_pitch - swing(Side::Right);
-    out[JointId::LShoulderPitch] = config_.shoulder_pitch - swing(Side::Left);
+void WalkEngine::place_arms(double right_swing, double left_swing, JointTargets& out) const {
+    out[JointId::RShoulderPitch] = config_.shoulder_pitch + right_swing;
+    out[JointId::LShoulderPitch] = config_.shoulder_pitch + left_swing;
     out[JointId::RShoulderYaw] = -config_.shoulder_yaw;
     out[JointId::LShoulderYaw] = config_.shoulder_yaw;
     out[JointId::RArmRoll] = config_.arm_roll;
@@ -166,13 +181,7 @@ void WalkEngine::stance(JointTargets& out) const {
         target.rotation = lean;
         (side == Side::Right ? right_ : left_).solve(target, out.angle);
     }
-    out[JointId::RShoulderPitch] = out[JointId::LShoulderPitch] = config_.shoulder_pitch;
-    out[JointId::RShoulderYaw] = -config_.shoulder_yaw;
-    out[JointId::LShoulderYaw] = config_.shoulder_yaw;
-    out[JointId::RArmRoll] = config_.arm_roll;
-    out[JointId::LArmRoll] = -config_.arm_roll;
-    out[JointId::RElbow] = config_.elbow;
-    out[JointId::LElbow] = -config_.elbow;
+    place_arms(0.0, 0.0, out);
 }
 
 }  // namespace k3d::agent::motion::walk

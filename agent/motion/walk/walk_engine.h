@@ -32,9 +32,10 @@ class WalkEngine {
 
   private:
     void follow(const Walk& wish);
+    Walk steered(const Posture& posture);
     void balance(const Posture& posture);
     void place_leg(Side side, const Foot& foot, JointTargets& out) const;
-    void place_arms(JointTargets& out) const;
+    void place_arms(double right_swing, double left_swing, JointTargets& out) const;
     Correction landing_shift() const;
     double lean() const { return config_.lean + config_.lean_gain * velocity_.forward; }
 
@@ -48,6 +49,7 @@ class WalkEngine {
     double pitch_error_ = 0.0, roll_error_ = 0.0;            ///< predicted, against the wanted lean
     double pitch_now_ = 0.0, roll_now_ = 0.0;
     double pitch_rate_ = 0.0, roll_rate_ = 0.0;
+    double heading_error_ = 0.0;  ///< turn asked for and not made yet
     bool moving_ = false;
 };
 

@@ -79,6 +79,17 @@ TEST(Child, EndBeforeReadyIsAnErrorWithTheLog) {
     std::remove(spawn.log_file.c_str());
 }
 
+TEST(Child, ReadinessCanBePolled) {
+    Child child(shell("read line; echo starting; echo ready agent=40123; exit 1"));
+    ASSERT_TRUE(child.wait(10s));
+    const auto pairs = child.poll_ready();
+    ASSERT_TRUE(pairs);
+    EXPECT_EQ(pairs->at("agent"), "40123");
+    Child mute(shell("echo already; exit 0"));
+    ASSERT_TRUE(mute.wait(10s));
+    EXPECT_FALSE(mute.poll_ready());
+}
+
 TEST(Child, ReadyHasADeadline) {
     Child child(shell("exec sleep 60"));
     EXPECT_EQ(error_of([&] { child.wait_ready(30ms); }), "/bin/sh: not ready after 30 ms");

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "optimizer/episode/commands.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "optimizer/spec/settings.h"
+#include "optimizer/spec/words.h"
+
+namespace k3d::optimizer::episode {
+
+namespace {
+
+constexpr const char* kHost = "127.0.0.1";
+
+std::string program(const std::string& wanted, const char* name) {
+    if (!wanted.empty()) return wanted;
+    return (std::filesystem::read_symlink("/proc/self/exe").parent_path() / name).string();
+}
+
+void add(std::vector<std::string>& words, const char* flag, const std::string& value) {
+    if (!value.empty()) words.insert(words.end(), {flag, value});
+}
+
+void add_all(std::vector<std::string>& words, const std::vector<std::string>& settings) {
+    for (const std::string& setting : settings) add(words, "--set", setting);
+}
+
+}  // namespace
+
+std::string Seat::name() const {
+    return fmt::format("{} {}", keeper ? "keeper" : "taker", unum);
+}
+std::string Seat::file_stem() const {
+    return fmt::format("{}-{}", keeper ? "keeper" : "taker", unum);
+}
+std::string Seat::team() const {
+    return keeper ? "Keepers" : "Takers";
+}
+
+std::vector<Seat> seats(const spec::MatchSpec& spec) {
+    std::vector<Seat> all;
+    for (int unum = 1; unum <= spec.keepers; ++unum) all.push_back({true, unum});
+    for (int unum = 1; unum <= spec.takers; ++unum) all.push_back({false, unum});
+    return all;
+}
+
+bool is_foreign(const spec::MatchSpec& spec, const Seat& seat) {
+    return !(seat.keeper ? spec.keeper_command : spec.taker_command).empty();
+}
+
+std::string result_file(const std::string& folder) {
+    return folder + "/result.jsonl";
+}
+
+std::string telemetry_file(const std::string& folder, const Seat& seat) {
+    return fmt::format("{}/{}.telemetry.jsonl", folder, seat.file_stem());
+}
+
+std::vector<std::string> server_command(const spec::MatchSpec& spec, const Task& task,
+                                        const std::string& folder, int http_port) {
+    std::vector<std::string> words{program(spec.server_program, "k3d-server"),
+                                   "--game",
+                                   "keepaway",
+                                   "--pace",
+                                   spec.pace,
+                                   "--seed",
+                                   std::to_string(task.seed),
+                                   "--episodes",
+                                   "1",
+                                   "--agent-port",
+                                   "0",
+                                   "--server-port",
+                                   "0",
+                                   "--left-team",
+                                   Seat{true}.team(),
+                                   "--right-team",
+                                   Seat{false}.team(),
+                                   "--keepers",
+                                   std::to_string(spec.keepers),
+                                   "--takers",
+                                   std::to_string(spec.takers),
+                                   "--lobby-s",
+                                   fmt::format("{}", spec.lobby_s),
+                                   "--hung-agent-s",
+                                   fmt::format("{}", spec.hung_agent_s),
+                                   "--results",
+                                   result_file(folder)};
+    if (http_port >= 0) add(words, "--http", std::to_string(http_port));
+    add(words, "--config", spec.server_config);
+    add_all(words, spec::parse_settings(spec.settings).server);
+    return words;
+}
+
+std::vector<std::string> agent_command(const spec::MatchSpec& spec, const Task& task,
+                                       const std::string& folder, const Seat& seat, int port) {
+    if (is_foreign(spec, seat)) {
+        return spec::fill_command(seat.keeper ? spec.keeper_command : spec.taker_command,
+                                  {kHost, port, seat.unum, seat.team()});
+    }
+    std::vector<std::string> words{program(spec.agent_program, "k3d-agent"),
+                                   "--host",
+                                   kHost,
+                                   "--port",
+                                   std::to_string(port),
+                                   "--unum",
+                                   std::to_string(seat.unum),
+                                   "--team",
+                                   seat.team(),
+                                   "--role",
+                                   seat.keeper ? "keeper" : "taker",
+                                   "--seed",
+                                   std::to_string(task.seed)};
+    const spec::Settings settings = spec::parse_settings(spec.settings);
+    if (seat.keeper) {
+        add(words, "--keeper-policy", spec.keeper_policy);
+        add(words, "--telemetry", telemetry_file(folder, seat));
+    } else {
+        add(words, "--taker", spec.taker);
+    }
+    add(words, "--config", spec.agent_config);
+    add_all(words, seat.keeper ? settings.keeper : settings.taker);
+    return words;
+}
+
+}  // namespace k3d::optimizer::episode

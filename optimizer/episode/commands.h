@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// How the programs of an episode are started: their command lines, and the names of their files.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "optimizer/episode/task.h"
+#include "optimizer/spec/match_spec.h"
+
+namespace k3d::optimizer::episode {
+
+struct Seat {
+    bool keeper = true;
+    int unum = 1;
+
+    std::string name() const;       ///< "keeper 2"
+    std::string file_stem() const;  ///< "keeper-2"
+    std::string team() const;       ///< "Keepers" or "Takers"
+};
+
+/// Keepers first, by number.
+std::vector<Seat> seats(const spec::MatchSpec& spec);
+/// True if the seat is taken by a program other than k3d-agent.
+bool is_foreign(const spec::MatchSpec& spec, const Seat& seat);
+
+std::string result_file(const std::string& folder);
+std::string telemetry_file(const std::string& folder, const Seat& seat);
+
+/// `http_port` -1: no page.
+std::vector<std::string> server_command(const spec::MatchSpec& spec, const Task& task,
+                                        const std::string& folder, int http_port);
+std::vector<std::string> agent_command(const spec::MatchSpec& spec, const Task& task,
+                                       const std::string& folder, const Seat& seat, int port);
+
+}  // namespace k3d::optimizer::episode

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Command lines of the programs of an episode.
+#include "optimizer/episode/commands.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace k3d::optimizer::episode {
+namespace {
+
+using testing::Contains;
+using testing::ElementsAre;
+using testing::Not;
+
+/// The word after `flag`, "" if there is none.
+std::string after(const std::vector<std::string>& words, const std::string& flag) {
+    for (std::size_t i = 0; i + 1 < words.size(); ++i) {
+        if (words[i] == flag) return words[i + 1];
+    }
+    return "";
+}
+
+TEST(Commands, SeatsAreKeepersThenTakers) {
+    spec::MatchSpec spec;
+    spec.keepers = 2;
+    spec.takers = 1;
+    std::vector<std::string> names;
+    for (const Seat& seat : seats(spec)) names.push_back(seat.name());
+    EXPECT_THAT(names, ElementsAre("keeper 1", "keeper 2", "taker 1"));
+}
+
+TEST(Commands, TheServerHasSeedPortsAndResultFile) {
+    spec::MatchSpec spec;
+    spec.keepers = 4;
+    spec.pace = "sync";
+    spec.server_config = "s.toml";
+    spec.settings = "server:keepaway.side=12 agent:x=1";
+    const auto words = server_command(spec, {3, 77, 1}, "/f", -1);
+    EXPECT_EQ(after(words, "--seed"), "77");
+    EXPECT_EQ(after(words, "--pace"), "sync");
+    EXPECT_EQ(after(words, "--keepers"), "4");
+    EXPECT_EQ(after(words, "--agent-port"), "0");
+    EXPECT_EQ(after(words, "--results"), "/f/result.jsonl");
+    EXPECT_EQ(after(words, "--config"), "s.toml");
+    EXPECT_EQ(after(words, "--set"), "keepaway.side=12");
+    EXPECT_THAT(words, Not(Contains("--http")));
+    EXPECT_THAT(words, Not(Contains("x=1")));
+    EXPECT_EQ(after(server_command(spec, {}, "/f", 8080), "--http"), "8080");
+}
+
+TEST(Commands, RolesDecideWhatAnAgentIsTold) {
+    spec::MatchSpec spec;
+    spec.keeper_policy = "still";
+    spec.taker = "greedy_random";
+    const auto keeper = agent_command(spec, {0, 9, 1}, "/f", {true, 2}, 4321);
+    EXPECT_EQ(after(keeper, "--port"), "4321");
+    EXPECT_EQ(after(keeper, "--unum"), "2");
+    EXPECT_EQ(after(keeper, "--team"), "Keepers");
+    EXPECT_EQ(after(keeper, "--role"), "keeper");
+    EXPECT_EQ(after(keeper, "--keeper-policy"), "still");
+    EXPECT_EQ(after(keeper, "--telemetry"), "/f/keeper-2.telemetry.jsonl");
+    EXPECT_EQ(after(keeper, "--seed"), "9");
+    const auto taker = agent_command(spec, {0, 9, 1}, "/f", {false, 1}, 4321);
+    EXPECT_EQ(after(taker, "--team"), "Takers");
+    EXPECT_EQ(after(taker, "--taker"), "greedy_random");
+    EXPECT_THAT(taker, Not(Contains("--keeper-policy")));
+    EXPECT_THAT(taker, Not(Contains("--telemetry")));
+}
+
+TEST(Commands, AForeignProgramIsStartedAsTheUserWroteIt) {
+    spec::MatchSpec spec;
+    spec.taker_command = "./theirs {host} {port} {unum} {team}";
+    EXPECT_THAT(agent_command(spec, {}, "/f", {false, 2}, 99),
+                ElementsAre("./theirs", "127.0.0.1", "99", "2", "Takers"));
+    EXPECT_TRUE(is_foreign(spec, {false, 1}));
+    EXPECT_FALSE(is_foreign(spec, {true, 1}));
+}
+
+}  // namespace
+}  // namespace k3d::optimizer::episode

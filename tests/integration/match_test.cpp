@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Whole matches: k3d-optimizer starts a server and agents, five robots play, lines come out.
+// Episodes are deterministic, so what is expected here holds on every run or on none.
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <set>
+#include <sstream>
+
+#include "common/episode/result.h"
+#include "common/process/child.h"
+
+namespace k3d::testing {
+namespace {
+
+using Flags = std::vector<std::string>;
+constexpr std::chrono::minutes kMatchPatience{15};
+
+class Match : public ::testing::Test {
+  protected:
+    Match() {
+        folder_ = std::filesystem::temp_directory_path() /
+                  ("k3d-match-" + std::to_string(getpid()) + "-" +
+                   ::testing::UnitTest::GetInstance()->current_test_info()->name());
+        std::filesystem::remove_all(folder_);
+        std::filesystem::create_directories(folder_);
+    }
+    ~Match() override {
+        if (!HasFailure()) std::filesystem::remove_all(folder_);
+    }
+
+    std::string file(const std::string& name) const { return (folder_ / name).string(); }
+
+    process::Child start(const std::string& name, Flags flags) {
+        process::Spawn spawn;
+        spawn.arguments = {std::string(K3D_BIN_DIR) + "/k3d-optimizer", "match",     "--pace",
+                           "fast",      "--results", file(name + ".jsonl")};
+        spawn.arguments.insert(spawn.arguments.end(), flags.begin(), flags.end());
+        spawn.log_file = file(name + ".log");
+        return process::Child(spawn);
+    }
+
+    /// Plays and returns the lines; the program must end with `code`.
+    std::vector<std::string> play(const std::string& name, Flags flags, int code = 0) {
+        process::Child child = start(name, std::move(flags));
+        const auto exit = child.wait(kMatchPatience);
+        EXPECT_TRUE(exit) << "still running";
+        if (exit) {
+            EXPECT_EQ(exit->code, code) << text(name + ".log");
+        }
+        std::vector<std::string> lines;
+        std::ifstream in(file(name + ".jsonl"));
+        for (std::string line; std::getline(in, line);) lines.push_back(line);
+        return lines;
+    }
+
+    std::string text(const std::string& name) const {
+        std::stringstream all;
+        all << std::ifstream(file(name)).rdbuf();
+        return all.str();
+    }
+
+    std::filesystem::path folder_;
+};
+
+/// Ten seconds of play at the most, to keep tests short that do not look at how well it is played.
+const Flags kShort{"--set", "server:keepaway.limit=6"};
+
+Flags operator+(Flags a, const Flags& b) {
+    a.insert(a.end(), b.begin(), b.end());
+    return a;
+}
+
+/// Programs of a process's children by pid, read from /proc.
+std::map<int, std::string> children_of(pid_t parent) {
+    std::map<int, std::string> found;
+    for (const auto& entry : std::filesystem::directory_iterator("/proc")) {
+        std::ifstream status(entry.path() / "status");
+        std::string line, name;
+        int ppid = 0;
+        while (std::getline(status, line)) {
+            if (line.rfind("Name:\t", 0) == 0) name = line.substr(6);
+            if (line.rfind("PPid:\t", 0) == 0) ppid = std::stoi(line.substr(6));
+        }
+        if (ppid == parent) found[std::stoi(entry.path().filename().string())] = name;
+    }
+    return found;
+}
+
+TEST_F(Match, EachEpisodeHasSixProcessesOfItsOwn) {
+    process::Child child = start("six", Flags{"--episodes", "2", "--seed", "5"} + kShort);
+    std::set<int> servers, agents;
+    const auto deadline = std::chrono::steady_clock::now() + kMatchPatience;
+    while (!child.poll() && std::chrono::steady_clock::now() < deadline) {
+        for (const auto& [pid, name] : children_of(child.pid())) {
+            if (name == "k3d-server") servers.insert(pid);
+            if (name == "k3d-agent") agents.insert(pid);
+        }
+        child.wait(std::chrono::milliseconds(20));
+    }
+    EXPECT_EQ(servers.size(), 2U) << "fresh for each of the two episodes";
+    EXPECT_EQ(agents.size(), 10U);
+}
+
+TEST_F(Match, SameSeedSameLinesWhateverTheJobsAndAnotherSeedOthers) {
+    const Flags flags = Flags{"--episodes", "3"} + kShort;
+    const auto one = play("one", flags + Flags{"--seed", "11", "--jobs", "1"});
+    const auto two = play("two", flags + Flags{"--seed", "11", "--jobs", "2"});
+    const auto other = play("other", flags + Flags{"--seed", "71", "--jobs", "2"});
+    ASSERT_EQ(one.size(), 3U);
+    ASSERT_EQ(other.size(), 3U);
+    EXPECT_EQ(one, two);
+    std::set<std::string> hashes;
+    for (const auto& lines : {one, other}) {
+        for (const std::string& line : lines) hashes.insert(episode::from_line(line).state_hash);
+    }
+    EXPECT_EQ(hashes.size(), 6U) << "every seed has a course of its own";
+}
+
+TEST_F(Match, KeepersHoldTheBallLongerThanTheyWouldByStandingStill) {
+    const Flags flags{"--episodes", "4", "--seed", "1", "--jobs", "2"};
+    double hold = 0.0, still = 0.0;
+    int kicks = 0, falls = 0;
+    for (const std::string& line : play("play", flags)) {
+        const episode::Result result = episode::from_line(line);
+        EXPECT_TRUE(result.status == episode::Status::Finished ||
+                    result.status == episode::Status::Truncated) << line;
+        ASSERT_TRUE(result.attempts);
+        hold += result.hold_time_s;
+        kicks += result.kicks;
+        for (const auto& player : result.players) falls += player.falls;
+    }
+    for (const std::string& line : play("still", flags + Flags{"--keeper-policy", "still"})) {
+        const episode::Result result = episode::from_line(line);
+        EXPECT_EQ(result.reason, "taker_reached_ball") << line;
+        still += result.hold_time_s;
+    }
+    EXPECT_GE(hold, 1.5 * still);
+    EXPECT_GE(kicks, 4) << "one an episode";
+    EXPECT_LE(falls, 5.0 * hold / 60.0 + 1.0) << "one per player and minute";
+}
+
+TEST_F(Match, ForeignProgramsTakeAnySeatAndSeeNoGroundTruth) {
+    const std::string recorder = std::string(K3D_BIN_DIR) + "/frame_recorder {host} {port} {unum} "
+                                 "{team} " + file("frames");
+    const auto lines = play("foreign", Flags{"--episodes", "1", "--taker-command", recorder} + kShort);
+    ASSERT_EQ(lines.size(), 1U);
+    for (const char* taker : {"1", "2"}) {
+        const std::string frames = text(std::string("frames.Takers.") + taker);
+        EXPECT_GT(frames.size(), 100000U);
+        EXPECT_NE(frames.find("(See "), std::string::npos);
+        for (const char* truth : {"mypos", "myorien", "ballpos"}) {
+            EXPECT_EQ(frames.find(truth), std::string::npos) << truth;
+        }
+    }
+}
+
+TEST_F(Match, AgentThatDiesGivesAgentLostAndAnExitCode) {
+    const auto lines = play("dies", Flags{"--episodes", "1", "--retries", "0", "--lobby-s", "5",
+                                          "--taker-command", "/bin/false"}, 1);
+    EXPECT_NE(text("dies.log").find("right"), std::string::npos) << text("dies.log");
+    for (const std::string& line : lines) {
+        EXPECT_EQ(episode::from_line(line).status, episode::Status::AgentLost);
+    }
+}
+
+}  // namespace
+}  // namespace k3d::testing

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "agent/motion/kick/kick_engine.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "common/clock/clock.h"
+
+namespace k3d::agent::kick {
+
+namespace {
+
+using nao::JointArray;
+using nao::JointId;
+using enum nao::JointId;
+
+/// Joints of one side in the order of LegFrames, and whether mirroring turns their sign.
+constexpr std::array<JointId, 6> kRightLeg{RHipYawPitch, RHipRoll,    RHipPitch,
+                                           RKneePitch,   RAnklePitch, RAnkleRoll};
+constexpr std::array<JointId, 6> kLeftLeg{LHipYawPitch, LHipRoll,    LHipPitch,
+                                          LKneePitch,   LAnklePitch, LAnkleRoll};
+constexpr std::array<bool, 6> kSignTurns{false, true, false, false, false, true};
+
+int cycles_of(double seconds) {
+    return std::max(1, static_cast<int>(std::lround(seconds / kCycleSeconds)));
+}
+
+/// Writes keyframe k of a leg, given for the kick with the right foot, onto the leg `joints`.
+void set_leg(JointArray& pose, const std::array<JointId, 6>& joints, const LegFrames& leg,
+             std::size_t k, bool mirrored) {
+    const std::array<double, 6> angles_deg{leg.hip_yaw_pitch_deg[k], leg.hip_roll_deg[k],
+                                           leg.hip_pitch_deg[k],     leg.knee_deg[k],
+                                           leg.ankle_pitch_deg[k],   leg.ankle_roll_deg[k]};
+    for (std::size_t i = 0; i < joints.size(); ++i) {
+        const double sign = mirrored && kSignTurns[i] ? -1.0 : 1.0;
+        pose[nao::index(joints[i])] = sign * radians(angles_deg[i]);
+    }
+}
+
+}  // namespace
+
+JointArray KickEngine::pose_of(const Swing& swing, std::size_t k) const {
+    const bool mirrored = foot_ == Foot::Left;
+    JointArray pose = stand_;  // the arms stay
+    set_leg(pose, mirrored ? kLeftLeg : kRightLeg, swing.kicking, k, mirrored);
+    set_leg(pose, mirrored ? kRightLeg : kLeftLeg, swing.support, k, mirrored);
+    return pose;
+}
+
+void KickEngine::start(const motion::Kick& kick, const JointArray& stand) {
+    foot_ = kicking_foot(config_, kick).value_or(kick.ball.y() > 0.0 ? Foot::Left : Foot::Right);
+    stand_ = stand;
+    frames_.clear();
+    const Swing& swing = config_.swing_for(kick.distance);
+    for (std::size_t k = 0; k < swing.duration_s.size(); ++k) {
+        frames_.push_back({swing.duration_s[k], pose_of(swing, k)});
+    }
+    frames_.push_back({swing.stand_s, stand_});
+    frame_ = 0;
+    cycle_ = 0;
+    fresh_ = true;
+}
+
+bool KickEngine::step(const motion::BodySense& sense, const motion::Posture&,
+                      motion::JointTargets& out) {
+    if (frame_ >= frames_.size()) return false;
+    if (fresh_) {
+        fresh_ = false;
+        from_ = sense.joints;
+    }
+    const Keyframe& frame = frames_[frame_];
+    const int length = cycles_of(frame.duration);
+    const double share = static_cast<double>(++cycle_) / length;
+    for (std::size_t i = nao::index(RShoulderPitch); i < from_.size(); ++i) {
+        out.angle[i] = from_[i] + share * (frame.pose[i] - from_[i]);
+    }
+    if (cycle_ >= length) {
+        from_ = frame.pose;
+        cycle_ = 0;
+        ++frame_;
+    }
+    return frame_ < frames_.size();
+}
+
+}  // namespace k3d::agent::kick

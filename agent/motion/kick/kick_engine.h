@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Kicks a ball that lies within reach of a foot: leans over the other foot, swings, sets the foot
+// down and returns to the stand, all as keyframes (mirrored for the left foot). The distance wanted
+// chooses between a far and a near swing.
+//
+// The motion is open-loop and short, so that it is over before a small error grows; keyframes are
+// found by search in the exact physics (see kick.toml). Radians, seconds, metres.
+#pragma once
+
+#include "agent/motion/joint_targets.h"
+#include "agent/motion/kick/config.h"
+#include "agent/motion/kick/reach.h"
+#include "agent/motion/motion.h"
+#include "agent/motion/posture.h"
+
+namespace k3d::agent::kick {
+
+class KickEngine {
+  public:
+    explicit KickEngine(const Config& config) : config_(config) {}
+
+    /// Begins a kick with the foot nearer to the ball's place; `stand` is the pose to end in.
+    void start(const motion::Kick& kick, const nao::JointArray& stand);
+    /// Writes all joints but the head's. False once the stand is reached.
+    bool step(const motion::BodySense& sense, const motion::Posture& posture,
+              motion::JointTargets& out);
+
+    Foot foot() const { return foot_; }
+
+  private:
+    struct Keyframe {
+        double duration;
+        nao::JointArray pose;
+    };
+
+    nao::JointArray pose_of(const Swing& swing, std::size_t k) const;
+
+    Config config_;
+    std::vector<Keyframe> frames_;  ///< all of the running kick
+    std::size_t frame_ = 0;         ///< the running one
+    int cycle_ = 0;                 ///< of the running keyframe
+    Foot foot_ = Foot::Right;
+    bool fresh_ = false;       ///< from_ is not known yet
+    nao::JointArray from_{};   ///< where the running keyframe began
+    nao::JointArray stand_{};
+};
+
+}  // namespace k3d::agent::kick

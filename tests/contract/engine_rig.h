@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A robot in the server's physics that follows one motion engine at a time, without a walk.
+#pragma once
+
+#include "agent/motion/joint_control.h"
+#include "agent/motion/posture.h"
+#include "contract/body_rig.h"
+
+namespace k3d::contract {
+
+/// Knees bent, soles flat, torso a little forward, elbows bent: close to the stance of the walk.
+inline nao::JointArray crouched_stand() {
+    using enum nao::JointId;
+    nao::JointArray pose{};
+    const auto set = [&pose](nao::JointId right, nao::JointId left, double right_deg, double sign) {
+        pose[nao::index(right)] = radians(right_deg);
+        pose[nao::index(left)] = sign * radians(right_deg);
+    };
+    set(RShoulderPitch, LShoulderPitch, -109, 1);
+    set(RShoulderYaw, LShoulderYaw, -11.5, -1);
+    set(RArmRoll, LArmRoll, 90, -1);
+    set(RElbow, LElbow, 51.6, -1);
+    set(RHipPitch, LHipPitch, 30, 1);
+    set(RKneePitch, LKneePitch, -63.5, 1);
+    set(RAnklePitch, LAnklePitch, 36.3, 1);
+    return pose;
+}
+
+class EngineRig {
+  public:
+    EngineRig() : control_(rig.model()) { targets.angle = rig.sense().joints; }
+
+    /// One cycle towards targets.
+    void advance() {
+        control_.step(rig.sense().joints, targets, rates_);
+        rig.advance(rates_);
+        posture_.update(rig.sense());
+    }
+
+    /// Moves to `pose` in a straight line and holds it.
+    void take(const nao::JointArray& pose, double seconds, double hold_seconds) {
+        const nao::JointArray from = targets.angle;
+        const int moving = static_cast<int>(seconds / 0.02);
+        const int all = moving + static_cast<int>(hold_seconds / 0.02);
+        for (int n = 1; n <= all; ++n) {
+            const double share = n < moving ? static_cast<double>(n) / moving : 1.0;
+            for (std::size_t i = 0; i < pose.size(); ++i) {
+                targets.angle[i] = from[i] + share * (pose[i] - from[i]);
+            }
+            advance();
+        }
+    }
+
+    /// Runs a started engine to its end, at most `limit` s; the time it took, or the limit.
+    template <class Engine>
+    double run(Engine& engine, double limit) {
+        double t = 0.0;
+        for (bool running = true; running && t < limit; t += 0.02) {
+            running = engine.step(rig.sense(), posture_.posture(), targets);
+            advance();
+        }
+        return t;
+    }
+
+    const agent::motion::Posture& posture() const { return posture_.posture(); }
+
+    BodyRig rig;
+    agent::motion::JointTargets targets;
+
+  private:
+    agent::motion::PostureFilter posture_;
+    agent::motion::JointControl control_;
+    nao::JointArray rates_{};
+};
+
+}  // namespace k3d::contract

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The kick in the server's physics: how far, how straight, without falling, with either foot.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "agent/motion/kick/kick_engine.h"
+#include "common/config/config.h"
+#include "common/random/stream.h"
+#include "contract/engine_rig.h"
+
+namespace k3d::contract {
+namespace {
+
+using agent::kick::Config;
+using agent::kick::Foot;
+using agent::kick::KickEngine;
+using agent::kick::kick_possible;
+using agent::kick::kicking_foot;
+using agent::kick::stand_pose;
+using agent::motion::Kick;
+
+struct Outcome {
+    double distance = 0.0;   ///< m from where the ball lay
+    double off_deg = 0.0;    ///< direction against the one wanted
+    double duration = 0.0;   ///< s of the motion
+    bool fell = false;
+};
+
+/// Kicks along the robot's heading a ball that lies `ball_off` from where this foot wants it. The
+/// engine is told the perfect place; the direction wanted is `turned` off the one kicked to.
+Outcome kick_once(Foot foot, double distance, const Vec2& ball_off, double turned) {
+    const Config config;
+    const Pose2 stand = stand_pose(config, Vec2::Zero(), 0.0, foot);
+    const Vec2 place = stand.to_local(Vec2::Zero());
+    EngineRig r;
+    r.take(crouched_stand(), 0.5, 0.4);
+    const Pose2 self = r.rig.pose();
+    const Vec2 ball = self.to_global(place + ball_off);
+    r.rig.ball().move({ball.x(), ball.y(), 0.0403});
+    KickEngine engine{config};
+    engine.start({place, -stand.yaw, distance}, crouched_stand());
+    Outcome o;
+    o.duration = r.run(engine, 3.0);
+    r.take(crouched_stand(), 0.0, 4.0);
+    const Vec3 end = r.rig.ball().position();
+    const Vec2 way = Vec2(end.x(), end.y()) - ball;
+    o.distance = way.norm();
+    o.off_deg = degrees(std::abs(wrap_angle(yaw_of(way) - (self.yaw - stand.yaw + turned))));
+    o.fell = r.rig.tilt() > radians(20.0);
+    return o;
+}
+
+double median(std::vector<double> values) {
+    std::nth_element(values.begin(), values.begin() + static_cast<long>(values.size() / 2),
+                     values.end());
+    return values[values.size() / 2];
+}
+
+class EitherFoot : public testing::TestWithParam<Foot> {};
+
+TEST_P(EitherFoot, SendsAMisplacedBallFarAndStraightWithoutAFall) {
+    RandomStream random(2, "kick_test", "placement");
+    std::vector<double> off;
+    constexpr int kKicks = 40;
+    int good = 0;
+    for (int n = 0; n < kKicks; ++n) {
+        const Vec2 ball_off(random.uniform(-0.015, 0.015), random.uniform(-0.015, 0.015));
+        const double turned = radians(random.uniform(-3.0, 3.0));
+        const Outcome o = kick_once(GetParam(), 10.0, ball_off, turned);
+        if (!o.fell && o.distance >= 3.0) ++good;
+        off.push_back(o.off_deg);
+        EXPECT_LT(o.duration, 1.5);
+    }
+    EXPECT_GE(good, 38) << "of " << kKicks;
+    EXPECT_LE(median(off), 7.0);
+}
+
+TEST_P(EitherFoot, KicksShorterWhenAskedTo) {
+    const Outcome near = kick_once(GetParam(), 3.0, Vec2::Zero(), 0.0);
+    const Outcome far = kick_once(GetParam(), 6.0, Vec2::Zero(), 0.0);
+    EXPECT_FALSE(near.fell);
+    EXPECT_FALSE(far.fell);
+    EXPECT_NEAR(near.distance, Config{}.near.reach_m, 0.7);
+    EXPECT_NEAR(far.distance, Config{}.far.reach_m, 0.7);
+}
+
+INSTANTIATE_TEST_SUITE_P(Feet, EitherFoot, testing::Values(Foot::Right, Foot::Left));
+
+TEST(KickReach, TheStandPosePutsTheBallInReachOfThatFoot) {
+    const Config config;
+    const Vec2 ball(1.0, -2.0);
+    for (const Foot foot : {Foot::Right, Foot::Left}) {
+        for (const double direction : {-3.0, -1.0, 0.0, 0.5, 2.9}) {
+            const Pose2 pose = stand_pose(config, ball, direction, foot);
+            const Kick kick{pose.to_local(ball), wrap_angle(direction - pose.yaw), 4.0};
+            EXPECT_EQ(kicking_foot(config, kick), foot) << direction;
+        }
+    }
+}
+
+TEST(KickReach, ABallFarOffOrAnotherDirectionIsOutOfReach) {
+    const Config config;
+    const Vec2 place(config.ball_forward, config.ball_outward);
+    EXPECT_TRUE(kick_possible(config, {place, radians(config.aim_outward_deg), 4.0}));
+    EXPECT_FALSE(kick_possible(config, {place + Vec2(0.1, 0.0), 0.0, 4.0}));
+    EXPECT_FALSE(kick_possible(config, {place + Vec2(0.0, 0.1), 0.0, 4.0}));
+    EXPECT_FALSE(kick_possible(config, {place, 1.0, 4.0}));
+    EXPECT_FALSE(kick_possible(config, {-place, 0.0, 4.0}));
+}
+
+TEST(KickReach, TheNearerStandPoseIsChosen) {
+    const Config config;
+    const Vec2 ball(0.0, 0.0);
+    for (const Foot foot : {Foot::Right, Foot::Left}) {
+        const Pose2 pose = stand_pose(config, ball, 1.0, foot);
+        const Pose2 chosen = agent::kick::stand_pose_near(config, pose, ball, 1.0);
+        EXPECT_LT((chosen.position - pose.position).norm(), 1e-12);
+    }
+}
+
+TEST(KickConfig, TheFileHoldsTheTunedValues) {
+    Config from_file;
+    config::load_file(config::describing(from_file), K3D_SOURCE_DIR "/agent/config/kick.toml");
+    Config tuned;
+    EXPECT_EQ(config::print(config::describing(from_file)),
+              config::print(config::describing(tuned)));
+}
+
+}  // namespace
+}  // namespace k3d::contract

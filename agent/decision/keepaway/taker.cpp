@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Decides for a taker.
+#include "agent/decision/keepaway/taker.h"
+
+#include <algorithm>
+#include <limits>
+#include <vector>
+
+#include "agent/skills/look.h"
+
+namespace k3d::agent::decision {
+namespace {
+
+const world::Player* find(const std::vector<world::Player>& players, int unum) {
+    const auto found = std::find_if(players.begin(), players.end(),
+                                    [&](const world::Player& p) { return p.unum == unum; });
+    return found == players.end() ? nullptr : &*found;
+}
+
+std::vector<skills::Obstacle> robots_of(const world::Beliefs& b, double clearance) {
+    std::vector<skills::Obstacle> robots;
+    for (const auto& p : b.mates) robots.push_back({p.position, clearance});
+    for (const auto& p : b.opponents) robots.push_back({p.position, clearance});
+    return robots;
+}
+
+}  // namespace
+
+bool PassWatch::update(const world::Beliefs& b, const TakerConfig& c) {
+    if (!b.ball.known || b.opponents.empty()) return false;
+    const world::Player* nearest = nullptr;
+    double shortest = std::numeric_limits<double>::infinity();
+    for (const world::Player& keeper : b.opponents) {
+        const double distance = (keeper.position - b.ball.finish).norm();
+        if (distance < shortest) {
+            shortest = distance;
+            nearest = &keeper;
+        }
+    }
+    const world::Player* present = find(b.opponents, k1_);
+    if (present == nullptr) {
+        k1_ = nearest->unum;
+        finish_ = b.ball.finish;
+        rival_since_.reset();
+        return true;
+    }
+    const double lead = (present->position - b.ball.finish).norm() - shortest;
+    const bool moved = (b.ball.finish - finish_).norm() >= c.pass_distance;
+    if (nearest == present) finish_ = b.ball.moving ? finish_ : b.ball.finish;
+    if (nearest == present || lead < c.pass_margin || !moved) {
+        rival_since_.reset();
+        return false;
+    }
+    if (!rival_since_) rival_since_ = b.now;
+    if (b.now - *rival_since_ < c.pass_delay) return false;
+    k1_ = nearest->unum;
+    finish_ = b.ball.finish;
+    rival_since_.reset();
+    return true;
+}
+
+Taker::Taker(TakerKind kind, const TakerConfig& config, const skills::SkillConfig& skills,
+             RandomStream choices)
+    : kind_(kind), config_(config), skills_(skills), choices_(choices) {}
+
+Decision Taker::decide(const world::Beliefs& b, const motion::State& body) {
+    Decision d;
+    d.request.head = skills::look(b, body, false, skills_);
+    if (kind_ == TakerKind::GreedyRandom && watch_.update(b, config_)) pick(b);
+    chaser_ = is_chaser(b);
+    d.account.role = chaser_ ? "chaser" : "follower";
+    d.account.k1 = watch_.k1();
+    if (b.ball.known) d.account.taker_distance = (b.self.pose.position - b.ball.position).norm();
+
+    if (!b.self.upright) {
+        d.account.skill = "fallen";
+    } else if (const auto turn = skills::search_turn(b, skills_)) {
+        d.account.skill = "search";
+        d.request.body = *turn;
+    } else if (!b.self.localised) {
+        d.account.skill = "lost";
+    } else if (chaser_) {
+        d.account.skill = "chase";
+        d.account.target = b.ball.position;
+        d.request.body = skills::walk_onto(b.self.pose, b.ball.position,
+                                           robots_of(b, skills_.robot_clearance), skills_);
+    } else {
+        d.request.body = follow(b, d.account);
+    }
+    return d;
+}
+
+bool Taker::is_chaser(const world::Beliefs& b) {
+    if (kind_ == TakerKind::Greedy || followed_ == 0) return true;
+    const double own = (b.self.pose.position - b.ball.position).norm();
+    // The head start goes to whoever chases now, so that two takers do not swap on noise.
+    const double head_start = chaser_ ? -config_.chaser_hysteresis : config_.chaser_hysteresis;
+    return std::none_of(b.mates.begin(), b.mates.end(), [&](const world::Player& mate) {
+        const double other = (mate.position - b.ball.position).norm();
+        return other < own + head_start;
+    });
+}
+
+void Taker::pick(const world::Beliefs& b) {
+    std::vector<int> others;
+    for (const world::Player& keeper : b.opponents)
+        if (keeper.unum != watch_.k1()) others.push_back(keeper.unum);
+    followed_ = others.empty() ? 0 : others[static_cast<std::size_t>(
+                                         choices_.below(static_cast<int>(others.size())))];
+}
+
+motion::BodyRequest Taker::follow(const world::Beliefs& b, Account& account) {
+    account.skill = "follow";
+    account.k2 = followed_;
+    const world::Player* keeper = find(b.opponents, followed_);
+    if (keeper == nullptr) return motion::Stand{};
+    const Vec2 from_keeper = b.self.pose.position - keeper->position;
+    const Vec2 goal = from_keeper.norm() > config_.follow_distance
+                          ? Vec2(keeper->position + from_keeper.normalized() * config_.follow_distance)
+                          : b.self.pose.position;
+    account.target = goal;
+    const double yaw = yaw_of(b.ball.position - b.self.pose.position);
+    return go_to_.step(b.self.pose, {goal, yaw}, robots_of(b, skills_.robot_clearance), skills_);
+}
+
+}  // namespace k3d::agent::decision

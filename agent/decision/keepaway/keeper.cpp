@@ -126,14 +126,18 @@ motion::BodyRequest Keeper::act_k1(const world::Beliefs& b, const motion::State&
     choose_target(b, account);
     const KeeperConfig& c = settings_.keeper;
     const double near = nearest_taker(b, b.ball.position);
-    PossessionInput input{b, body};
-    input.target = *target_;
-    input.pressure = std::clamp(
+    const double pressure = std::clamp(
         (c.pressure_far - near) / std::max(c.pressure_far - c.pressure_near, 1e-6), 0.0, 1.0);
-    // HOLD or kick: the one fixed decision of paper 5.1.
-    input.may_kick = near <= c.hold_threshold && policy_.kind != Policy::Kind::Hold;
-    input.half_area = settings_.keepaway.area / 2.0 - c.stance_margin;
-    input.robots = robots_of(b, settings_.skills.robot_clearance);
+    const PossessionInput input{
+        .beliefs = b,
+        .body = body,
+        .target = *target_,
+        .pressure = pressure,
+        // HOLD or kick: the one fixed decision of paper 5.1.
+        .may_kick = near <= c.hold_threshold && policy_.kind != Policy::Kind::Hold,
+        .half_area = settings_.keepaway.area / 2.0 - c.stance_margin,
+        .robots = robots_of(b, settings_.skills.robot_clearance),
+    };
     motion::BodyRequest request = possession_.get_skill(input);
     account.skill = possession_.state_name();
     if (const auto* kick = std::get_if<motion::Kick>(&request)) swing_ = *kick;

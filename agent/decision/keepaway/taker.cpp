@@ -37,17 +37,18 @@ bool PassWatch::update(const world::Beliefs& b, const TakerConfig& c) {
             nearest = &keeper;
         }
     }
-    const world::Player* present = find(b.opponents, k1_);
-    if (present == nullptr) {
+    if (k1_ == 0) {
         k1_ = nearest->unum;
         finish_ = b.ball.finish;
-        rival_since_.reset();
         return true;
     }
-    const double lead = (present->position - b.ball.finish).norm() - shortest;
+    if (nearest->unum == k1_ && !b.ball.moving) finish_ = b.ball.finish;
+    // A K1 out of sight for long is as good as far away.
+    const world::Player* present = find(b.opponents, k1_);
+    const double lead = present == nullptr ? std::numeric_limits<double>::infinity()
+                                           : (present->position - b.ball.finish).norm() - shortest;
     const bool moved = (b.ball.finish - finish_).norm() >= c.pass_distance;
-    if (nearest == present) finish_ = b.ball.moving ? finish_ : b.ball.finish;
-    if (nearest == present || lead < c.pass_margin || !moved) {
+    if (nearest->unum == k1_ || lead < c.pass_margin || !moved) {
         rival_since_.reset();
         return false;
     }
@@ -67,8 +68,8 @@ Decision Taker::decide(const world::Beliefs& b, const motion::State& body) {
     Decision d;
     d.request.head = skills::look(b, body, false, skills_);
     if (kind_ == TakerKind::GreedyRandom && watch_.update(b, config_)) pick(b);
-    chaser_ = is_chaser(b);
-    d.account.role = chaser_ ? "chaser" : "follower";
+    const bool chase = is_chaser(b);
+    d.account.role = chase ? "chaser" : "follower";
     d.account.k1 = watch_.k1();
     if (b.ball.known) d.account.taker_distance = (b.self.pose.position - b.ball.position).norm();
 
@@ -79,7 +80,7 @@ Decision Taker::decide(const world::Beliefs& b, const motion::State& body) {
         d.request.body = *turn;
     } else if (!b.self.localised) {
         d.account.skill = "lost";
-    } else if (chaser_) {
+    } else if (chase) {
         d.account.skill = "chase";
         d.account.target = b.ball.position;
         d.request.body = skills::walk_onto(b.self.pose, b.ball.position,
@@ -92,13 +93,21 @@ Decision Taker::decide(const world::Beliefs& b, const motion::State& body) {
 
 bool Taker::is_chaser(const world::Beliefs& b) {
     if (kind_ == TakerKind::Greedy || followed_ == 0) return true;
-    const double own = (b.self.pose.position - b.ball.position).norm();
-    // The head start goes to whoever chases now, so that two takers do not swap on noise.
-    const double head_start = chaser_ ? -config_.chaser_hysteresis : config_.chaser_hysteresis;
-    return std::none_of(b.mates.begin(), b.mates.end(), [&](const world::Player& mate) {
-        const double other = (mate.position - b.ball.position).norm();
-        return other < own + head_start;
-    });
+    int nearest = 0;
+    double shortest = std::numeric_limits<double>::infinity();
+    const auto consider = [&](int unum, const Vec2& position) {
+        const double distance = (position - b.ball.position).norm() -
+                                (unum == chaser_ ? config_.chaser_hysteresis : 0.0);
+        if (distance < shortest || (distance == shortest && unum < nearest)) {
+            shortest = distance;
+            nearest = unum;
+        }
+    };
+    consider(b.game.unum, b.self.pose.position);
+    for (const world::Player& mate : b.mates)
+        consider(mate.unum, mate.position);
+    chaser_ = nearest;
+    return nearest == b.game.unum;
 }
 
 void Taker::pick(const world::Beliefs& b) {

@@ -54,7 +54,7 @@ class Taker {
     PassWatch watch_;
     skills::GoTo go_to_;
     int followed_ = 0;
-    bool chaser_ = false;
+    int chaser_ = 0;  ///< unum of the taker nearest to the ball, of all takers
 };
 
 }  // namespace k3d::agent::decision

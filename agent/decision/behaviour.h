@@ -21,8 +21,8 @@ template <class Input, class Output>
 struct Action {
     std::string name;
     std::function<Output(const Input&)> get_skill;
-    std::function<void()> invoke = [] {};
-    std::function<void()> abort = [] {};
+    std::function<void()> invoke{};  ///< empty: nothing to set up
+    std::function<void()> abort{};   ///< empty: nothing to end
 };
 
 /// Picks the next state, 0 .. n-1, from what is known and the present state.
@@ -63,12 +63,12 @@ class ComplexBehaviour {
     /// Starts from the initial state.
     void invoke() {
         state_ = next_state_ = initial_;
-        action(state_).invoke();
+        run(action(state_).invoke);
     }
 
     /// Ends whatever goes on.
     void abort() {
-        action(state_).abort();
+        run(action(state_).abort);
         state_ = next_state_ = after_abort_;
     }
 
@@ -79,8 +79,8 @@ class ComplexBehaviour {
         next_state_ = choose_(input, state_);
         K3D_ASSERT(is_state(next_state_));
         if (state_ != next_state_) {
-            action(state_).abort();
-            action(next_state_).invoke();
+            run(action(state_).abort);
+            run(action(next_state_).invoke);
         }
         return action(state_).get_skill(input);
     }
@@ -98,6 +98,9 @@ class ComplexBehaviour {
     }
 
   private:
+    static void run(const std::function<void()>& procedure) {
+        if (procedure) procedure();
+    }
     bool is_state(int state) const {
         return state >= 0 && state < static_cast<int>(action_map_.size());
     }

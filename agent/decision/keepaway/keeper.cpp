@@ -154,8 +154,8 @@ void Keeper::choose_target(const world::Beliefs& b, Account& account) {
     if (policy_.kind == Policy::Kind::Random) {
         if (!target_) target_ = grid_[static_cast<std::size_t>(choices_.below(static_cast<int>(grid_.size())))];
     } else {
-        const Allowed allowed = [&](const Vec2& p) { return can_stand_for(p, situation.ball); };
-        const Target best = best_target(grid_, situation, policy_, settings_.evaluation, allowed,
+        const Room room = [&](const Vec2& p) { return stance_room(p, situation.ball); };
+        const Target best = best_target(grid_, situation, policy_, settings_.evaluation, room,
                                         target_, settings_.keeper.target_margin);
         target_ = best.point;
         account.cost = best.cost;
@@ -165,11 +165,11 @@ void Keeper::choose_target(const world::Beliefs& b, Account& account) {
     account.k2 = k2_;
 }
 
-bool Keeper::can_stand_for(const Vec2& target, const Vec2& ball) const {
+double Keeper::stance_room(const Vec2& target, const Vec2& ball) const {
     const double yaw = yaw_of(target - ball);
     const Pose2 stance = kick_.stand_pose({ball, yaw}, ball, yaw);
     const double half = settings_.keepaway.area / 2.0 - settings_.keeper.stance_margin;
-    return stance.position.cwiseAbs().maxCoeff() <= half;
+    return half - stance.position.cwiseAbs().maxCoeff();
 }
 
 motion::BodyRequest Keeper::walk_and_watch(const world::Beliefs& b, const Vec2& place) {

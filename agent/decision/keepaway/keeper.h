@@ -49,7 +49,7 @@ class Keeper {
     motion::BodyRequest act_k1(const world::Beliefs& beliefs, const motion::State& body,
                                Account& account);
     void choose_target(const world::Beliefs& beliefs, Account& account);
-    bool can_stand_for(const Vec2& target, const Vec2& ball) const;
+    double stance_room(const Vec2& target, const Vec2& ball) const;
     motion::BodyRequest walk_and_watch(const world::Beliefs& beliefs, const Vec2& place);
 
     KeeperSettings settings_;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace k3d::agent::decision {
 
@@ -40,7 +41,7 @@ Policy load_policy(const std::string& name) {
 }
 
 Target best_target(const std::vector<Vec2>& grid, const PassSituation& situation,
-                   const Policy& policy, const EvaluationConfig& config, const Allowed& allowed,
+                   const Policy& policy, const EvaluationConfig& config, const Room& room,
                    const std::optional<Vec2>& previous, double keep) {
     const auto cost_at = [&](const Vec2& point) {
         const Features f = features_at(point, situation, config.ideal_pass_m);
@@ -49,22 +50,25 @@ Target best_target(const std::vector<Vec2>& grid, const PassSituation& situation
         network::State state = policy.cost->start();
         return policy.cost->evaluate(f, state).front();
     };
-    const auto choose = [&](bool all) {
-        std::optional<Target> best;
-        std::optional<Target> kept;
-        for (const Vec2& point : grid) {
-            if ((point - situation.ball).norm() < config.min_pass) continue;
-            if (!all && !allowed(point)) continue;
-            const Target candidate{point, cost_at(point)};
-            if (!best || candidate.cost < best->cost) best = candidate;
-            if (previous && (point - *previous).norm() < 1e-6) kept = candidate;
+    std::optional<Target> best;
+    std::optional<Target> kept;
+    Vec2 roomiest = Vec2::Zero();
+    double most_room = -std::numeric_limits<double>::infinity();
+    for (const Vec2& point : grid) {
+        if ((point - situation.ball).norm() < config.min_pass) continue;
+        const double space = room(point);
+        if (space > most_room) {
+            most_room = space;
+            roomiest = point;
         }
-        if (best && kept && kept->cost <= best->cost + keep * std::abs(best->cost)) return kept;
-        return best;
-    };
-    if (const auto target = choose(false)) return *target;
-    if (const auto target = choose(true)) return *target;
-    return {};
+        if (space < 0.0) continue;
+        const Target candidate{point, cost_at(point)};
+        if (!best || candidate.cost < best->cost) best = candidate;
+        if (previous && (point - *previous).norm() < 1e-6) kept = candidate;
+    }
+    if (!best) return {roomiest, cost_at(roomiest)};
+    if (kept && kept->cost <= best->cost + keep * std::abs(best->cost)) return *kept;
+    return *best;
 }
 
 }  // namespace k3d::agent::decision

@@ -41,14 +41,15 @@ struct Target {
     double cost = 0.0;
 };
 
-/// May K1 aim at this point?
-using Allowed = std::function<bool(const Vec2&)>;
+/// How far inside the area K1 would stand to kick at a point, m; negative: too near the boundary
+/// or beyond it.
+using Room = std::function<double(const Vec2&)>;
 
-/// The allowed point of lowest cost that is at least min_pass from the ball, the first of equals.
-/// `previous`, if it is on the grid and allowed, stays unless the best is lower by more than
-/// `keep` of its absolute cost. If no point is allowed, all are.
+/// The point of lowest cost among those with room that are at least min_pass from the ball, the
+/// first of equals. `previous`, if it is on the grid and has room, stays unless the best is lower
+/// by more than `keep` of its absolute cost. If no point has room, the one with most of it.
 Target best_target(const std::vector<Vec2>& grid, const PassSituation& situation,
-                   const Policy& policy, const EvaluationConfig& config, const Allowed& allowed,
+                   const Policy& policy, const EvaluationConfig& config, const Room& room,
                    const std::optional<Vec2>& previous, double keep);
 
 }  // namespace k3d::agent::decision

@@ -51,15 +51,19 @@ Assignment RoleKeeper::update(const world::Beliefs& b, std::span<const talk::Rep
             return x.distance != y.distance ? x.distance < y.distance : x.unum < y.unum;
         };
         const Candidate nearest = *std::min_element(candidates.begin(), candidates.end(), before);
-        int claimer = std::numeric_limits<int>::max();
+        // Our own claim counts only against another's: alone we judge by distance.
+        const bool others_claim = std::any_of(candidates.begin() + 1, candidates.end(),
+                                              [](const Candidate& x) { return x.claims; });
+        int claimer = 0;
         for (const Candidate& x : candidates)
-            if (x.claims && x.distance <= nearest.distance + c.tie_margin)
-                claimer = std::min(claimer, x.unum);
-        k1_ = claimer != std::numeric_limits<int>::max() ? claimer : nearest.unum;
+            if (others_claim && x.claims && x.distance <= nearest.distance + c.tie_margin &&
+                (claimer == 0 || x.unum < claimer))
+                claimer = x.unum;
+        k1_ = claimer != 0 ? claimer : nearest.unum;
 
         // Two keepers may each take the other for K1. Who is as near as the one it waits for, and
         // hears it speak without a claim, begins.
-        if (k1_ != me && claimer == std::numeric_limits<int>::max()) {
+        if (k1_ != me && claimer == 0) {
             const bool silent_rival = std::any_of(reports.begin(), reports.end(), [&](const auto& r) {
                 return r.message.unum == k1_ && !r.message.claims_k1 &&
                        b.now - r.heard <= c.claim_memory;

@@ -82,7 +82,7 @@ TEST(ComplexBehaviour, NestsAndPassesInvokeAndAbortOn) {
     EXPECT_EQ(outer.get_skill(11), "y");
     EXPECT_EQ(outer.state_name(), "inner");
     log.clear();
-    outer.get_skill(10);
+    outer.get_skill(0);
     EXPECT_THAT(log, ElementsAre("abort y", "invoke a", "skill x"));
 }
 

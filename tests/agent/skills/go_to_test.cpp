@@ -55,7 +55,7 @@ TEST(WalkTo, DiagonalKeepsItsDirectionWithinTheLimits) {
 }
 
 TEST(GoTo, ArrivesFromEverywhereAndStands) {
-    for (const Vec2 start : {Vec2(-3.0, 0.0), Vec2(2.0, 2.0), Vec2(0.3, -0.2), Vec2(0.0, 4.0)})
+    for (const Vec2& start : {Vec2(-3.0, 0.0), Vec2(2.0, 2.0), Vec2(0.3, -0.2), Vec2(0.0, 4.0)})
         for (const double yaw : {0.0, 2.0, -3.0}) {
             const Ride r = ride({start, yaw}, {{0.0, 0.0}, 1.0}, {}, 20.0);
             EXPECT_LT(r.end.position.norm(), kConfig.arrive_distance);

@@ -174,10 +174,10 @@ TEST(Keeper, WalksOnlyInsideTheArea) {
 }
 
 TEST(Keeper, DoesNotAimWhereItWouldStandOutside) {
-    // Ball 5 cm inside the left boundary: no target to the right of it can be kicked from inside.
+    // Ball 20 cm inside the left boundary: only along it can be kicked from inside.
     Keeper k = keeper();
     world::Beliefs b = at_ball(3.5);
-    b.ball.position = b.ball.finish = {-4.95, 0.0};
+    b.ball.position = b.ball.finish = {-4.8, 0.0};
     b.self.pose.position = {-4.5, 0.0};
     const Decision d = settle(k, b);
     const double yaw = yaw_of(*d.account.target - b.ball.position);

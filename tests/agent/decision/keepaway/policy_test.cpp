@@ -91,7 +91,7 @@ TEST(Policy, NamesAndNetworkFiles) {
     EXPECT_THROW(load_policy(write_network(wrong, "k3d_policy_bad.json")), network::NetworkError);
 }
 
-const Allowed kAll = [](const Vec2&) { return true; };
+const Room kAll = [](const Vec2&) { return 1.0; };
 
 PassSituation quiet() {
     PassSituation s;
@@ -121,11 +121,11 @@ TEST(BestTarget, NeverNextToTheBallNorWhereItIsForbidden) {
     const auto grid = target_grid(10.0, c);
     const Target near = best_target(grid, s, policy, c, kAll, {}, 0.0);
     EXPECT_DOUBLE_EQ((near.point - s.ball).norm(), 1.0);
-    const Allowed right = [](const Vec2& p) { return p.x() > 0.5; };
+    const Room right = [](const Vec2& p) { return p.x() - 0.5; };
     EXPECT_EQ(best_target(grid, s, policy, c, right, {}, 0.0).point, Vec2(1.0, 0.0));
-    // Nothing allowed: as if all were.
-    const Allowed none = [](const Vec2&) { return false; };
-    EXPECT_EQ(best_target(grid, s, policy, c, none, {}, 0.0).point, near.point);
+    // Room nowhere: where there is most.
+    const Room none = [](const Vec2& p) { return -1.0 - (p - Vec2(2.0, 3.0)).norm(); };
+    EXPECT_EQ(best_target(grid, s, policy, c, none, {}, 0.0).point, Vec2(2.0, 3.0));
 }
 
 TEST(BestTarget, KeepsThePreviousWithinTheMargin) {

@@ -23,6 +23,7 @@ struct KeepawayConfig {
 
 /// Roles and the K1 keeper's conduct (paper 5.1).
 struct KeeperConfig {
+    std::string policy = "handcoded";
     double hold_threshold = 3.0;
     double role_hysteresis = 0.4;
     double tie_margin = 0.5;
@@ -36,6 +37,8 @@ struct KeeperConfig {
     double pressure_near = 0.7;
 
     void describe(config::Fields& f) {
+        f.text("policy", policy, {},
+               "how K1 values targets: handcoded, still, hold, random, or a network file");
         f.number("hold_threshold", hold_threshold, {0.0, 20.0}, "m",
                  "K1 holds while the nearest taker is farther from the ball than this");
         f.number("role_hysteresis", role_hysteresis, {0.0, 5.0}, "m",
@@ -98,6 +101,7 @@ struct EvaluationConfig {
 
 /// Takers (paper 5.2).
 struct TakerConfig {
+    std::string strategy = "greedy";
     double chaser_hysteresis = 0.3;
     double follow_distance = 0.6;
     double pass_distance = 0.7;
@@ -105,6 +109,8 @@ struct TakerConfig {
     double pass_delay = 0.2;
 
     void describe(config::Fields& f) {
+        f.text("strategy", strategy, {"greedy", "greedy_random"},
+               "greedy: all chase the ball; greedy_random: one does, the others follow keepers");
         f.number("chaser_hysteresis", chaser_hysteresis, {0.0, 5.0}, "m",
                  "head start of the present chaser when distances to the ball are compared");
         f.number("follow_distance", follow_distance, {0.3, 5.0}, "m",

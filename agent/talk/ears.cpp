@@ -4,14 +4,14 @@
 
 namespace k3d::agent::talk {
 
-std::vector<Report> Ears::hear(const wire::Percepts& percepts, std::string_view team, int unum) {
-    std::vector<Report> fresh;
+std::vector<Message> Ears::hear(const wire::Percepts& percepts, std::string_view team, int unum) {
+    std::vector<Message> fresh;
     for (const wire::Heard& heard : percepts.heard) {
         if (!heard.direction_deg || heard.team != team) continue;
         const std::optional<Message> message = decode(heard.text);
         if (!message || message->unum == unum) continue;
-        fresh.push_back({percepts.time, *message});
-        latest_[message->unum] = fresh.back();
+        fresh.push_back(*message);
+        latest_[message->unum] = {percepts.time, *message};
     }
     return fresh;
 }

@@ -20,7 +20,7 @@ class Ears {
   public:
     /// Messages of this frame that team-mates of `team` other than number `unum` said; also kept.
     /// Own, foreign and damaged ones are ignored.
-    std::vector<Report> hear(const wire::Percepts& percepts, std::string_view team, int unum);
+    std::vector<Message> hear(const wire::Percepts& percepts, std::string_view team, int unum);
 
     /// Latest report of each team-mate, by unum.
     std::vector<Report> latest() const;

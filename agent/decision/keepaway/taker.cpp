@@ -60,14 +60,13 @@ bool PassWatch::update(const world::Beliefs& b, const TakerConfig& c) {
     return true;
 }
 
-Taker::Taker(TakerKind kind, const TakerConfig& config, const skills::SkillConfig& skills,
-             RandomStream choices)
-    : kind_(kind), config_(config), skills_(skills), choices_(choices) {}
+Taker::Taker(const TakerConfig& config, const skills::SkillConfig& skills, RandomStream choices)
+    : greedy_(config.strategy == "greedy"), config_(config), skills_(skills), choices_(choices) {}
 
 Decision Taker::decide(const world::Beliefs& b, const motion::State& body) {
     Decision d;
     d.request.head = skills::look(b, body, false, skills_);
-    if (kind_ == TakerKind::GreedyRandom && watch_.update(b, config_)) pick(b);
+    if (!greedy_ && watch_.update(b, config_)) pick(b);
     const bool chase = is_chaser(b);
     d.account.role = chase ? "chaser" : "follower";
     d.account.k1 = watch_.k1();
@@ -92,7 +91,7 @@ Decision Taker::decide(const world::Beliefs& b, const motion::State& body) {
 }
 
 bool Taker::is_chaser(const world::Beliefs& b) {
-    if (kind_ == TakerKind::Greedy || followed_ == 0) return true;
+    if (greedy_ || followed_ == 0) return true;
     int nearest = 0;
     double shortest = std::numeric_limits<double>::infinity();
     const auto consider = [&](int unum, const Vec2& position) {

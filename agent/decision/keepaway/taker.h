@@ -15,8 +15,6 @@
 
 namespace k3d::agent::decision {
 
-enum class TakerKind { Greedy, GreedyRandom };
-
 /// A taker's view of who K1 is: the keeper nearest to the ball's finish. A pass is made when the
 /// finish has moved by pass_distance and another keeper has been the nearest by pass_margin for
 /// pass_delay.
@@ -35,7 +33,7 @@ class PassWatch {
 class Taker {
   public:
     /// `choices` draws the keepers to follow.
-    Taker(TakerKind kind, const TakerConfig& config, const skills::SkillConfig& skills,
+    Taker(const TakerConfig& config, const skills::SkillConfig& skills,
           RandomStream choices);
 
     Decision decide(const world::Beliefs& beliefs, const motion::State& body);
@@ -47,7 +45,7 @@ class Taker {
     void pick(const world::Beliefs& beliefs);
     motion::BodyRequest follow(const world::Beliefs& beliefs, Account& account);
 
-    TakerKind kind_;
+    bool greedy_;  ///< strategy greedy, else greedy_random
     TakerConfig config_;
     skills::SkillConfig skills_;
     RandomStream choices_;

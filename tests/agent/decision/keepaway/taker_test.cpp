@@ -24,12 +24,14 @@ world::Beliefs follower(double now, Vec2 ball = {0.0, 2.3}) {
     return b;
 }
 
-Taker taker(TakerKind kind, std::uint64_t seed) {
-    return {kind, TakerConfig{}, skills::SkillConfig{}, RandomStream(seed, "right.2", "follow")};
+Taker taker(const std::string& strategy, std::uint64_t seed) {
+    TakerConfig config;
+    config.strategy = strategy;
+    return {config, skills::SkillConfig{}, RandomStream(seed, "right.2", "follow")};
 }
 
 TEST(Taker, GreedyOnesAllWalkOntoTheBall) {
-    Taker t = taker(TakerKind::Greedy, 1);
+    Taker t = taker("greedy", 1);
     const Decision d = t.decide(follower(10.0), {});
     EXPECT_EQ(d.account.role, "chaser");
     EXPECT_TRUE(test::is_walk(d.request.body));
@@ -37,7 +39,7 @@ TEST(Taker, GreedyOnesAllWalkOntoTheBall) {
 }
 
 TEST(Taker, OnlyTheClosestChases) {
-    Taker t = taker(TakerKind::GreedyRandom, 1);
+    Taker t = taker("greedy_random", 1);
     EXPECT_EQ(t.decide(follower(10.0), {}).account.role, "follower");
     world::Beliefs b = follower(10.1);
     b.mates[0].position = {-4.5, -4.5};
@@ -56,8 +58,8 @@ TEST(Taker, NeitherGivesWayToTheOther) {
         two.game.unum = 2;
         two.self.pose.position = {-2.0, 0.0};
         two.mates = {player(1, true, {2.0 + offset, 0.0})};
-        Taker a = taker(TakerKind::GreedyRandom, 1);
-        Taker b = taker(TakerKind::GreedyRandom, 2);
+        Taker a = taker("greedy_random", 1);
+        Taker b = taker("greedy_random", 2);
         const bool first = a.decide(one, {}).account.role == "chaser";
         const bool second = b.decide(two, {}).account.role == "chaser";
         EXPECT_NE(first, second) << offset;
@@ -67,7 +69,7 @@ TEST(Taker, NeitherGivesWayToTheOther) {
 TEST(Taker, FollowsAKeeperOtherThanK1EachSometimes) {
     std::set<int> followed;
     for (std::uint64_t seed = 0; seed < 30; ++seed) {
-        Taker t = taker(TakerKind::GreedyRandom, seed);
+        Taker t = taker("greedy_random", seed);
         t.decide(follower(10.0), {});
         followed.insert(t.followed());
     }
@@ -77,7 +79,7 @@ TEST(Taker, FollowsAKeeperOtherThanK1EachSometimes) {
 TEST(Taker, PicksANewKeeperOnlyWhenAPassIsMade) {
     int changed = 0;
     for (std::uint64_t seed = 0; seed < 20; ++seed) {
-        Taker t = taker(TakerKind::GreedyRandom, seed);
+        Taker t = taker("greedy_random", seed);
         double now = 10.0;
         t.decide(follower(now), {});
         const int first = t.followed();
@@ -119,7 +121,7 @@ TEST(Taker, PicksANewKeeperOnlyWhenAPassIsMade) {
 }
 
 TEST(Taker, StopsShortOfTheKeeperItFollows) {
-    Taker t = taker(TakerKind::GreedyRandom, 3);
+    Taker t = taker("greedy_random", 3);
     world::Beliefs b = follower(10.0);
     t.decide(b, {});
     const Vec2 keeper = kKeepers[t.followed() - 1];

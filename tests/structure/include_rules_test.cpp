@@ -107,13 +107,14 @@ TEST(IncludeRules, ProgramsKnowOnlyCommonAndThemselves) {
     }
 }
 
-/// The stages of each program, in the order the data flows through them. What the agent's stages
-/// share stands first: settings, and the kinematics that tell perception where the camera is.
+/// The stages of each program, in the order the data flows through them. What the agent's other
+/// stages share stands first: the body, whose kinematics and motion tell perception where the
+/// camera is and how far the robot went.
 const std::map<std::string, std::vector<std::string>> kStages = {
     {"server",
      {"physics", "body", "effectors", "percepts", "game", "session", "recording", "viewer"}},
     {"agent",
-     {"config", "kinematics", "perception", "localisation", "world", "decision", "skills", "motion",
+     {"config", "kinematics", "motion", "perception", "localisation", "world", "decision", "skills",
       "talk", "action"}},
     {"optimizer",
      {"spec", "algorithm", "episode", "drill", "fitness", "backend", "ledger", "report"}},
@@ -128,9 +129,13 @@ TEST(IncludeRules, AStageIncludesOnlyStagesBeforeIt) {
             if (!i.from->below(program) || !starts_with(i.target, program + "/")) continue;
             const std::string from = stage_of(i.from->path, program);
             const std::string to = stage_of(i.target, program);
-            if (from.empty()) continue;  // main and the cycle put the stages together
-            EXPECT_FALSE(to.empty()) << i.text() << ", which stands above the stages";
-            EXPECT_LE(rank(to), rank(from)) << i.text() << ", a later stage";
+            if (from.empty()) continue;                       // main and the frame join the stages
+            if (i.target == program + "/config.h") continue;  // the settings of a run
+            if (to.empty()) {
+                ADD_FAILURE() << i.text() << ", which stands above the stages";
+            } else {
+                EXPECT_LE(rank(to), rank(from)) << i.text() << ", a later stage";
+            }
         }
     }
 }

@@ -74,6 +74,9 @@ TEST(FileRules, FunctionsAreShort) {
     for (const SourceFile& file : source_tree()) {
         if (!file.is_cpp()) continue;
         for (const Function& function : functions_of(file)) {
+            // A table of settings, one statement each, grows with what can be set.
+            const std::string& head = file.lines[function.line - 1];
+            if (head.find("::describe(config::Fields&") != std::string::npos) continue;
             EXPECT_LT(function.length, kMaxFunctionLines)
                 << file.path << ":" << function.line << ": a function of " << function.length
                 << " lines";

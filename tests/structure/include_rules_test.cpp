@@ -107,15 +107,15 @@ TEST(IncludeRules, ProgramsKnowOnlyCommonAndThemselves) {
     }
 }
 
-/// The stages of each program, in the order the data flows through them. What the agent's other
-/// stages share stands first: the body, whose kinematics and motion tell perception where the
-/// camera is and how far the robot went.
+/// The stages of each program, in the order the data flows through them. In the agent the body
+/// stands first: its motion tells perception where the camera is and how far the robot went. What
+/// team-mates say is part of the world, and skills are what decisions choose from.
 const std::map<std::string, std::vector<std::string>> kStages = {
     {"server",
      {"physics", "body", "effectors", "percepts", "game", "session", "recording", "viewer"}},
     {"agent",
-     {"config", "kinematics", "motion", "perception", "localisation", "world", "decision", "skills",
-      "talk", "action"}},
+     {"config", "kinematics", "motion", "talk", "perception", "localisation", "world", "skills",
+      "decision", "action"}},
     {"optimizer",
      {"spec", "algorithm", "episode", "drill", "fitness", "backend", "ledger", "report"}},
 };

@@ -27,14 +27,19 @@ BodyMotion::BodyMotion(const nao::Model& model, const Config& config)
 
 const State& BodyMotion::step(const BodySense& sense, const Request& request,
                               nao::JointArray& rates) {
-    perceive(sense);
+    this->sense(sense);
+    return act(sense, request, rates);
+}
+
+const State& BodyMotion::act(const BodySense& sense, const Request& request,
+                             nao::JointArray& rates) {
     choose(sense, request);
     head::look(request.head, posture_.posture(), targets_);
     control_.step(sense.joints, targets_, rates);
     return state_;
 }
 
-void BodyMotion::perceive(const BodySense& sense) {
+const State& BodyMotion::sense(const BodySense& sense) {
     const Posture& posture = posture_.update(sense);
     BodyShape shape;
     shape.parts = kinematics::forward(model_, sense.joints);
@@ -50,6 +55,7 @@ void BodyMotion::perceive(const BodySense& sense) {
         targets_.angle = sense.joints;
         started_ = true;
     }
+    return state_;
 }
 
 void BodyMotion::choose(const BodySense& sense, const Request& request) {

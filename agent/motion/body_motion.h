@@ -20,14 +20,18 @@ class BodyMotion {
     BodyMotion(const BodyMotion&) = delete;  // engines refer to config_
     BodyMotion& operator=(const BodyMotion&) = delete;
 
-    /// Call exactly once per percept frame; `rates` (rad/s) is the reply to it.
+    /// Both exactly once per percept frame, in this order: sense() says where camera and torso are
+    /// in this frame and how far the robot went; act() chooses, and `rates` (rad/s) is the reply.
+    /// Activity, falls and kick events are those of the act() before until act() is called.
+    const State& sense(const BodySense& sense);
+    const State& act(const BodySense& sense, const Request& request, nao::JointArray& rates);
+    /// The two in one, for requests that do not depend on this frame.
     const State& step(const BodySense& sense, const Request& request, nao::JointArray& rates);
 
     const State& state() const { return state_; }
     const Posture& posture() const { return posture_.posture(); }
 
   private:
-    void perceive(const BodySense& sense);
     void choose(const BodySense& sense, const Request& request);
     void fall(const BodySense& sense);
     void stand_or_walk(const BodySense& sense, const Walk& wish);

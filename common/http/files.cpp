@@ -40,15 +40,22 @@ std::optional<std::string> percent_decoded(std::string_view text) {
     return out;
 }
 
-bool has_dotted_segment(std::string_view path) { return path.find("/.") != std::string_view::npos; }
+bool has_dotted_segment(std::string_view path) {
+    return path.find("/.") != std::string_view::npos;
+}
 
 bool is_below(const fs::path& file, const fs::path& folder) {
-    const auto [end, unused] = std::mismatch(folder.begin(), folder.end(), file.begin(), file.end());
+    const auto [end, unused] =
+        std::mismatch(folder.begin(), folder.end(), file.begin(), file.end());
     return end == folder.end();
 }
 
-Found missing(std::string reason) { return {Found::What::Missing, {}, std::move(reason)}; }
-Found malformed(std::string reason) { return {Found::What::Malformed, {}, std::move(reason)}; }
+Found missing(std::string reason) {
+    return {Found::What::Missing, {}, std::move(reason)};
+}
+Found malformed(std::string reason) {
+    return {Found::What::Malformed, {}, std::move(reason)};
+}
 
 }  // namespace
 

@@ -2,7 +2,9 @@
 // The one translation unit that includes Boost.Beast (it takes half a minute to compile).
 #include "common/http/server.h"
 
+// clang-format off
 #include "common/net/asio.h"  // before any Beast header
+// clang-format on
 
 #include <array>
 #include <boost/beast/core.hpp>
@@ -55,8 +57,12 @@ struct Core {
     bool over = false;
 };
 
-Peer::Peer(std::shared_ptr<Core> core) : core_(std::move(core)) { core_->peers.insert(this); }
-Peer::~Peer() { core_->peers.erase(this); }
+Peer::Peer(std::shared_ptr<Core> core) : core_(std::move(core)) {
+    core_->peers.insert(this);
+}
+Peer::~Peer() {
+    core_->peers.erase(this);
+}
 
 /// An open WebSocket.
 class Watcher : public Peer, public std::enable_shared_from_this<Watcher> {
@@ -112,8 +118,8 @@ void Watcher::open() {
     error_code ignored;
     auto& tcp_socket = beast::get_lowest_layer(socket_).socket();
     tcp_socket.set_option(tcp::no_delay(true), ignored);
-    tcp_socket.set_option(
-        asio::socket_base::send_buffer_size(static_cast<int>(limits.send_buffer)), ignored);
+    tcp_socket.set_option(asio::socket_base::send_buffer_size(static_cast<int>(limits.send_buffer)),
+                          ignored);
     socket_.async_accept(request_, [self = shared_from_this()](error_code error) {
         if (!error && !self->core_->over) self->opened();
     });
@@ -176,10 +182,9 @@ void Visitor::read() {
     parser_.emplace();
     parser_->header_limit(static_cast<std::uint32_t>(core_->options.limits.header_bytes));
     stream_.expires_after(core_->options.limits.request);  // for the whole header, however it drips
-    web::async_read_header(stream_, buffer_, *parser_,
-                           [self = shared_from_this()](error_code error, std::size_t) {
-                               self->on_header(error);
-                           });
+    web::async_read_header(
+        stream_, buffer_, *parser_,
+        [self = shared_from_this()](error_code error, std::size_t) { self->on_header(error); });
 }
 
 void Visitor::on_header(error_code error) {
@@ -194,9 +199,9 @@ void Visitor::on_header(error_code error) {
     }
     if (error == web::error::end_of_stream) return;
     if (error == web::error::header_limit) {
-        return answer_text(web::status::request_header_fields_too_large,
-                           "header longer than " +
-                               std::to_string(core_->options.limits.header_bytes) + " bytes");
+        return answer_text(
+            web::status::request_header_fields_too_large,
+            "header longer than " + std::to_string(core_->options.limits.header_bytes) + " bytes");
     }
     if (error.category() == web::make_error_code(web::error::bad_method).category()) {
         spdlog::debug("http: not a request: {}", error.message());
@@ -220,9 +225,12 @@ void Visitor::answer() {
     }
     const Found found = find_file(core_->options.folder, target);
     switch (found.what) {
-        case Found::What::File: return answer_file(found.file);
-        case Found::What::Missing: return answer_text(web::status::not_found, found.reason);
-        case Found::What::Malformed: return answer_text(web::status::bad_request, found.reason);
+        case Found::What::File:
+            return answer_file(found.file);
+        case Found::What::Missing:
+            return answer_text(web::status::not_found, found.reason);
+        case Found::What::Malformed:
+            return answer_text(web::status::bad_request, found.reason);
     }
 }
 
@@ -276,11 +284,11 @@ void Visitor::write(web::response<Body> response) {
     response.keep_alive(keep_);
     const auto kept = std::make_shared<web::response<Body>>(std::move(response));
     stream_.expires_after(core_->options.limits.answer);
-    web::async_write(stream_, *kept, [self = shared_from_this(), kept](error_code error,
-                                                                      std::size_t) {
-        if (error || self->core_->over) return;
-        self->keep_ ? self->read() : self->part();
-    });
+    web::async_write(stream_, *kept,
+                     [self = shared_from_this(), kept](error_code error, std::size_t) {
+                         if (error || self->core_->over) return;
+                         self->keep_ ? self->read() : self->part();
+                     });
 }
 
 /// Closes so that the answer arrives: bytes left unread would make the kernel reset the connection
@@ -379,7 +387,11 @@ struct Server::Impl {
 Server::Server(net::Loop& loop, Options options, OnSocket on_socket)
     : impl_(std::make_unique<Impl>(loop, std::move(options), std::move(on_socket))) {}
 Server::~Server() = default;
-std::uint16_t Server::port() const { return impl_->port; }
-std::size_t Server::connections() const { return impl_->core->peers.size(); }
+std::uint16_t Server::port() const {
+    return impl_->port;
+}
+std::size_t Server::connections() const {
+    return impl_->core->peers.size();
+}
 
 }  // namespace k3d::http

@@ -25,7 +25,8 @@ struct Limits {
     std::size_t connections = 64;          ///< open at once, WebSockets included
     std::size_t header_bytes = 8 * 1024;   ///< of one request
     std::size_t message_bytes = 4 * 1024;  ///< of one message from a WebSocket's peer
-    std::size_t send_buffer = 64 * 1024;   ///< kernel's, of a WebSocket: bounds how stale a page can be
+    std::size_t send_buffer =
+        64 * 1024;  ///< kernel's, of a WebSocket: bounds how stale a page can be
     std::chrono::milliseconds request{10'000};  ///< for a whole header to come; idle keep-alive too
     std::chrono::milliseconds answer{30'000};   ///< for a whole file to be taken
     std::chrono::milliseconds silence{30'000};  ///< a WebSocket's peer that answers no ping

@@ -65,8 +65,7 @@ Error Document::parse(std::string_view text) {
             ++p;
         } else if (*p == ')') {
             if (depth == 0) return fail(Error::Unbalanced);
-            --depth;
-            if (depth == 0) last_whole = open[0].last;
+            if (--depth == 0) last_whole = open[0].last;
             ++p;
         } else if (entries_.size() >= kMaxNodes) {
             return fail(Error::TooManyNodes);

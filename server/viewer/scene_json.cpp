@@ -20,7 +20,9 @@ constexpr double kPositionScale = 1e4;  // 0.1 mm
 constexpr double kRotationScale = 1e4;
 constexpr double kLargest = 1e9;
 
-json list(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
+json list(const Vec3& v) {
+    return {v.x(), v.y(), v.z()};
+}
 
 /// Names come from the wire: bytes that are no UTF-8 must not make the text unreadable.
 std::string dumped(const json& value) {
@@ -29,18 +31,24 @@ std::string dumped(const json& value) {
 
 const char* name_of(wire::Side side) {
     switch (side) {
-        case wire::Side::Left: return "left";
-        case wire::Side::Right: return "right";
-        case wire::Side::None: break;
+        case wire::Side::Left:
+            return "left";
+        case wire::Side::Right:
+            return "right";
+        case wire::Side::None:
+            break;
     }
     return "none";
 }
 
 const char* name_of(nao::Shape shape) {
     switch (shape) {
-        case nao::Shape::Box: return "box";
-        case nao::Shape::Sphere: return "sphere";
-        case nao::Shape::Capsule: break;
+        case nao::Shape::Box:
+            return "box";
+        case nao::Shape::Sphere:
+            return "sphere";
+        case nao::Shape::Capsule:
+            break;
     }
     return "capsule";
 }

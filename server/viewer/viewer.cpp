@@ -77,14 +77,18 @@ Viewer::Viewer(net::Loop& loop, const std::string& address, std::uint16_t port,
 
 Viewer::~Viewer() = default;
 
-std::uint16_t Viewer::port() const { return impl_->server.port(); }
+std::uint16_t Viewer::port() const {
+    return impl_->server.port();
+}
 
 bool Viewer::watched() const {
     return std::ranges::any_of(impl_->pages,
                                [](const Page& page) { return !page.socket->closed(); });
 }
 
-void Viewer::publish(const SceneView& scene) { impl_->publish(scene); }
+void Viewer::publish(const SceneView& scene) {
+    impl_->publish(scene);
+}
 
 std::string web_folder_beside_program() {
     std::error_code error;

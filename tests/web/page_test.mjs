@@ -7,18 +7,28 @@
 //   --moving N    how many of them must move (all; in a real match some may stand)
 //   --seconds S   how long the browser may take for each step (60)
 // Screenshots go to FOLDER. Exit code 0: all seen.
-import { spawn } from "node:child_process";
-import { mkdirSync, writeFileSync } from "node:fs";
-import { join } from "node:path";
-import { createInterface } from "node:readline";
-import { parseArgs } from "node:util";
-import { openPage } from "./chromium.mjs";
-import { decodePng } from "./png.mjs";
+import {spawn} from "node:child_process";
+import {mkdirSync, writeFileSync} from "node:fs";
+import {join} from "node:path";
+import {createInterface} from "node:readline";
+import {parseArgs} from "node:util";
 
-const string = { type: "string" };
-const { values: option } = parseArgs({
-  options: { demo: string, url: string, out: string, robots: string, moving: string, seconds: string,
-             chromium: string },
+import {openPage} from "./chromium.mjs";
+import {decodePng} from "./png.mjs";
+
+const string = {
+  type: "string"
+};
+const {values: option} = parseArgs({
+  options: {
+    demo: string,
+    url: string,
+    out: string,
+    robots: string,
+    moving: string,
+    seconds: string,
+    chromium: string
+  },
 });
 const out = option.out ?? "screenshots";
 const patience = Number(option.seconds ?? 60);
@@ -47,7 +57,8 @@ function count(picture, half, looksRight) {
 const isBlue = (r, g, b) => b > 90 && b > r + 50 && b > g + 20;
 const isRed = (r, g, b) => r > 90 && r > g + 50 && r > b + 50;
 const isWhite = (r, g, b) => Math.min(r, g, b) > 170;
-const isRing = (r, g, b) => r > 190 && g > 180 && b > 100 && r - b > 45;  // around the ball, on the ground
+const isRing = (r, g, b) =>
+  r > 190 && g > 180 && b > 100 && r - b > 45;  // around the ball, on the ground
 
 const distance = (a, b) => Math.hypot(...a.map((v, i) => v - b[i]));
 
@@ -58,7 +69,8 @@ async function follow(page, name) {
 }
 
 async function checkMoving(page, wanted) {
-  const read = () => page.value("({ robots: k3d.robotPositions, ball: k3d.ballPosition, time: k3d.time })");
+  const read = () =>
+    page.value("({ robots: k3d.robotPositions, ball: k3d.ballPosition, time: k3d.time })");
   const before = await read();
   const end = Date.now() + patience * 1000;
   let moved = 0;
@@ -67,11 +79,15 @@ async function checkMoving(page, wanted) {
   while (Date.now() < end && (moved < wanted || rolled < 0.05)) {
     await new Promise((resolve) => setTimeout(resolve, 100));
     now = await read();
-    moved = now.robots.filter((position, i) => distance(position, before.robots[i] ?? position) > 0.05).length;
+    moved =
+      now.robots.filter((position, i) => distance(position, before.robots[i] ?? position) > 0.05)
+        .length;
     rolled = distance(now.ball, before.ball);
   }
-  check(`${moved} robots moved (at least ${wanted}), the ball by ${rolled.toFixed(2)} m, within ` +
-        `${(now.time - before.time).toFixed(1)} s of simulation`, moved >= wanted && rolled >= 0.05);
+  check(
+    `${moved} robots moved (at least ${wanted}), the ball by ${rolled.toFixed(2)} m, within ` +
+      `${(now.time - before.time).toFixed(1)} s of simulation`,
+    moved >= wanted && rolled >= 0.05);
 }
 
 async function checkDrawn(page, robots) {
@@ -79,21 +95,27 @@ async function checkDrawn(page, robots) {
     await follow(page, `robot ${index + 1}`);
     const picture = await save(page, `robot-${robot.team}-${robot.number}.png`);
     const pixels = count(picture, 120, robot.team === "left" ? isBlue : isRed);
-    check(`robot ${robot.team} ${robot.number} is drawn: ${pixels} pixels of its colour`, pixels > 1500);
+    check(
+      `robot ${robot.team} ${robot.number} is drawn: ${pixels} pixels of its colour`,
+      pixels > 1500);
   }
   await follow(page, "ball");
   const picture = await save(page, "ball.png");
   const [white, ring] = [isWhite, isRing].map((looksRight) => count(picture, 120, looksRight));
-  check(`the ball is drawn: ${white} white pixels, ${ring} of the ring around it`, white > 200 && ring > 500);
+  check(
+    `the ball is drawn: ${white} white pixels, ${ring} of the ring around it`,
+    white > 200 && ring > 500);
 }
 
 /** What must be seen whoever serves the page. */
 async function checkScene(page) {
   const wanted = Number(option.robots ?? 5);
-  await page.until(`${wanted} robots`, `window.k3d?.state === "live" && k3d.robots.length === ${wanted}`, patience);
+  await page.until(
+    `${wanted} robots`, `window.k3d?.state === "live" && k3d.robots.length === ${wanted}`,
+    patience);
   const robots = await page.value("k3d.robots");
-  const teams = robots.map(({ team, number }) => `${team} ${number}`).join(", ");
-  check(`${robots.length} robots: ${teams}`, robots.every(({ parts }) => parts >= 22));
+  const teams = robots.map(({team, number}) => `${team} ${number}`).join(", ");
+  check(`${robots.length} robots: ${teams}`, robots.every(({parts}) => parts >= 22));
   await follow(page, "overview");
   await save(page, "overview.png");
   await checkMoving(page, Number(option.moving ?? wanted));
@@ -102,14 +124,19 @@ async function checkScene(page) {
   await follow(page, "top");
   check("keys choose the camera", (await page.value("k3d.camera")) === "top");
   await save(page, "top.png");
-  const shown = await page.value("[...document.querySelectorAll('.board b')].map((b) => b.textContent)");
-  check(`the board shows time, mode, episode: ${shown.join(" | ")}`, shown.every((text) => text.length > 0));
-  check(`no console errors${page.errors.map((e) => "\n    " + e).join("")}`, page.errors.length === 0);
+  const shown =
+    await page.value("[...document.querySelectorAll('.board b')].map((b) => b.textContent)");
+  check(
+    `the board shows time, mode, episode: ${shown.join(" | ")}`,
+    shown.every((text) => text.length > 0));
+  check(
+    `no console errors${page.errors.map((e) => "\n    " + e).join("")}`, page.errors.length === 0);
 }
 
 function startDemo(port, episode) {
-  const child = spawn(option.demo, [String(port), ...(episode ? [webFolder(), String(episode)] : [])],
-                      { stdio: ["ignore", "pipe", "inherit"] });
+  const child = spawn(
+    option.demo, [String(port), ...(episode ? [webFolder(), String(episode)] : [])],
+    {stdio: ["ignore", "pipe", "inherit"]});
   const ended = new Promise((resolve) => child.on("exit", resolve).on("error", resolve));
   const ready = new Promise((resolve, reject) => {
     createInterface(child.stdout).on("line", (line) => {
@@ -118,7 +145,7 @@ function startDemo(port, episode) {
     });
     ended.then((why) => reject(new Error(`${option.demo} ended: ${why}`)));
   });
-  return { ready, end: () => (child.kill("SIGKILL"), ended) };
+  return {ready, end: () => (child.kill("SIGKILL"), ended)};
 }
 const webFolder = () => join(option.demo, "..", "..", "web");
 
@@ -126,13 +153,15 @@ const webFolder = () => join(option.demo, "..", "..", "web");
 async function checkRestart(page, demo, port) {
   await page.value("k3d.choose('robot 5')");
   await demo.end();
-  await page.until("the page says that the server has ended",
-                   "k3d.state === 'lost' && !document.getElementById('notice').hidden", patience);
+  await page.until(
+    "the page says that the server has ended",
+    "k3d.state === 'lost' && !document.getElementById('notice').hidden", patience);
   await save(page, "lost.png");
   const next = startDemo(port, 2);
   await next.ready;
   try {
-    await page.until("the page finds the next server", "k3d.state === 'live' && k3d.episode === 2", patience);
+    await page.until(
+      "the page finds the next server", "k3d.state === 'live' && k3d.episode === 2", patience);
     check("the page finds the next server by itself", true);
     check("it goes on following the same robot", (await page.value("k3d.camera")) === "robot 5");
     await page.value("k3d.choose('overview')");
@@ -144,12 +173,13 @@ async function checkRestart(page, demo, port) {
 
 async function main() {
   if (!option.demo === !option.url) throw new Error("give one of --demo and --url");
-  mkdirSync(out, { recursive: true });
+  mkdirSync(out, {recursive: true});
   const demo = option.demo ? startDemo(0, 0) : null;
   let page = null;
   try {
     const port = await demo?.ready;
-    page = await openPage(option.chromium ?? "/usr/bin/chromium", option.url ?? `http://127.0.0.1:${port}/`);
+    page = await openPage(
+      option.chromium ?? "/usr/bin/chromium", option.url ?? `http://127.0.0.1:${port}/`);
     await checkScene(page);
     if (demo) await checkRestart(page, demo, port);
   } finally {

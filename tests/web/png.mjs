@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Pixels of a PNG as Chromium writes it: 8 bits, RGB or RGBA, not interlaced (PNG specification 9.2).
-import { inflateSync } from "node:zlib";
+// Pixels of a PNG as Chromium writes it: 8 bits, RGB or RGBA, not interlaced (PNG
+// specification 9.2).
+import {inflateSync} from "node:zlib";
 
 /** Resolves to {width, height, at(x, y) -> [r, g, b]}. */
 export function decodePng(file) {
@@ -15,8 +16,9 @@ export function decodePng(file) {
     at += length + 12;
   }
   const [width, height] = [header.readUInt32BE(0), header.readUInt32BE(4)];
-  const channels = { 2: 3, 6: 4 }[header[9]];
-  if (header[8] !== 8 || !channels || header[12] !== 0) throw new Error("not a PNG this reader knows");
+  const channels = {2: 3, 6: 4}[header[9]];
+  if (header[8] !== 8 || !channels || header[12] !== 0)
+    throw new Error("not a PNG this reader knows");
   const raw = inflateSync(Buffer.concat(packed));
   const row = width * channels;
   const pixels = Buffer.alloc(row * height);
@@ -29,15 +31,23 @@ export function decodePng(file) {
       pixels[y * row + x] = raw[y * (row + 1) + 1 + x] + predicted(filter, left, up, corner);
     }
   }
-  return { width, height, at: (x, y) => [...pixels.subarray(y * row + x * channels, y * row + x * channels + 3)] };
+  return {
+    width,
+    height,
+    at: (x, y) => [...pixels.subarray(y * row + x * channels, y * row + x * channels + 3)]
+  };
 }
 
 function predicted(filter, left, up, corner) {
   switch (filter) {
-    case 0: return 0;
-    case 1: return left;
-    case 2: return up;
-    case 3: return (left + up) >> 1;
+    case 0:
+      return 0;
+    case 1:
+      return left;
+    case 2:
+      return up;
+    case 3:
+      return (left + up) >> 1;
   }
   const [a, b, c] = [left, up, corner].map((v) => Math.abs(left + up - corner - v));
   return a <= b && a <= c ? left : b <= c ? up : corner;

@@ -93,9 +93,8 @@ int run(int argc, char** argv) {
         return argc > i ? std::atoi(argv[i]) : otherwise;
     };
     net::Loop loop;
-    server::viewer::Viewer viewer(
-        loop, "127.0.0.1", static_cast<std::uint16_t>(number(1, 0)),
-        argc > 2 ? argv[2] : server::viewer::web_folder_beside_program());
+    server::viewer::Viewer viewer(loop, "127.0.0.1", static_cast<std::uint16_t>(number(1, 0)),
+                                  argc > 2 ? argv[2] : server::viewer::web_folder_beside_program());
     std::printf("ready http=%d\n", viewer.port());
     std::fflush(stdout);
     const auto start = net::Clock::now();

@@ -32,8 +32,14 @@ export function showMoment(moment) {
 }
 
 const states = {
-  waiting: ["waiting for server", "Waiting for the server", "The page connects by itself as soon as it is there."],
-  lost: ["waiting for server", "The server has ended", "The picture is its last. The page connects by itself to the next one."],
+  waiting: [
+    "waiting for server", "Waiting for the server",
+    "The page connects by itself as soon as it is there."
+  ],
+  lost: [
+    "waiting for server", "The server has ended",
+    "The picture is its last. The page connects by itself to the next one."
+  ],
   open: ["connected", "Connected", "Waiting for the first scene."],
   live: ["live"],
   still: ["simulation stands still"],
@@ -53,8 +59,10 @@ export function showNotice(title, text) {
   setText("notice-text", text ?? "");
 }
 
-/** Buttons and keys for the cameras; `choose(name)` gets "overview", "top", "ball" or "robot N",
- *  N counting from 1 in the order of the scene. */
+/**
+ * Buttons and keys for the cameras; `choose(name)` gets "overview", "top", "ball" or "robot N",
+ *  N counting from 1 in the order of the scene.
+ */
 export function wireCameras(choose) {
   document.querySelector(".cameras").addEventListener("click", (event) => {
     const view = event.target.dataset?.view;
@@ -62,9 +70,11 @@ export function wireCameras(choose) {
   });
   addEventListener("keydown", (event) => {
     if (event.ctrlKey || event.altKey || event.metaKey) return;
-    const view = { o: "overview", t: "top", b: "ball" }[event.key.toLowerCase()];
-    if (view) choose(view);
-    else if (/^[1-9]$/.test(event.key)) choose(`robot ${event.key}`);
+    const view = {o: "overview", t: "top", b: "ball"}[event.key.toLowerCase()];
+    if (view)
+      choose(view);
+    else if (/^[1-9]$/.test(event.key))
+      choose(`robot ${event.key}`);
   });
 }
 

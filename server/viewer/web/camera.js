@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Where the picture is taken from: orbit by hand around a target that can follow ball or robot.
 import * as THREE from "three";
-import { OrbitControls } from "./lib/OrbitControls.js";
+
+import {OrbitControls} from "./lib/OrbitControls.js";
 
 const slant = new THREE.Vector3(0, -0.72, 0.62).normalize();  // from the target to the camera
 const above = new THREE.Vector3(0, -0.001, 1).normalize();
-const closeUp = { robot: 2.3, ball: 1.6 };  // m from what is followed
+const closeUp = {
+  robot: 2.3,
+  ball: 1.6
+};                 // m from what is followed
 const chase = 10;  // 1/s: how fast the target catches up with what it follows
 
 export class View {
@@ -74,7 +78,8 @@ export class View {
       this.camera.updateMatrixWorld();
       const fits = corners.every(([cx, cy]) => {
         const p = new THREE.Vector3(cx, cy, 0).project(this.camera);
-        return Math.abs(p.x) < 0.94 && p.y < 0.8 && p.y > -0.84;  // below the board, above the buttons
+        return Math.abs(p.x) < 0.94 && p.y < 0.8 &&
+          p.y > -0.84;  // below the board, above the buttons
       });
       if (fits) break;
     }

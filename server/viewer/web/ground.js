@@ -2,7 +2,8 @@
 // What never moves: ground, painted lines, goals, walls, landmarks, and the keepaway area.
 // Everything stands in the field frame: metres, z up.
 import * as THREE from "three";
-import { teamColour } from "./robots.js";
+
+import {teamColour} from "./robots.js";
 
 const lineWidth = 0.05;
 const grass = 0x3f8a4b;
@@ -32,7 +33,7 @@ function stroke([x0, y0, x1, y1], width, z, material) {
   return group;
 }
 
-function solid({ name, centre, size }) {
+function solid({name, centre, size}) {
   const goal = name.startsWith("goal");
   const side = name.startsWith("goal-left") ? "left" : "right";
   const material = new THREE.MeshLambertMaterial({
@@ -45,15 +46,15 @@ function solid({ name, centre, size }) {
   mesh.position.set(...centre);
   if (goal) {
     const edges = new THREE.EdgesGeometry(mesh.geometry);
-    mesh.add(new THREE.LineSegments(edges, new THREE.LineBasicMaterial({ color: 0xf4f7f9 })));
+    mesh.add(new THREE.LineSegments(edges, new THREE.LineBasicMaterial({color: 0xf4f7f9})));
   }
   return mesh;
 }
 
-function landmark({ name, position }) {
+function landmark({name, position}) {
   const group = new THREE.Group();
-  const white = new THREE.MeshLambertMaterial({ color: 0xf4f7f9 });
-  const yellow = new THREE.MeshLambertMaterial({ color: 0xf2c53d });
+  const white = new THREE.MeshLambertMaterial({color: 0xf4f7f9});
+  const yellow = new THREE.MeshLambertMaterial({color: 0xf2c53d});
   const flag = name.startsWith("F");
   const height = flag ? 0.5 : position[2];
   const pole = new THREE.Mesh(new THREE.CylinderGeometry(0.02, 0.02, height, 10), white);
@@ -68,8 +69,8 @@ function landmark({ name, position }) {
 
 function keepawayArea([width, height]) {
   const group = new THREE.Group();
-  const fill = new THREE.MeshBasicMaterial({ color: 0xffffff, transparent: true, opacity: 0.07 });
-  const edge = new THREE.MeshBasicMaterial({ color: 0xffcf4a });
+  const fill = new THREE.MeshBasicMaterial({color: 0xffffff, transparent: true, opacity: 0.07});
+  const edge = new THREE.MeshBasicMaterial({color: 0xffcf4a});
   const [x, y] = [width / 2, height / 2];
   group.add(plane(width, height, 0.003, fill));
   for (const line of [[-x, -y, x, -y], [x, -y, x, y], [x, y, -x, y], [-x, y, -x, -y]]) {
@@ -80,12 +81,12 @@ function keepawayArea([width, height]) {
 
 /** The still part of a scene. */
 export function buildGround(scene) {
-  const { field, area } = scene;
+  const {field, area} = scene;
   const group = new THREE.Group();
-  const paint = new THREE.MeshLambertMaterial({ color: 0xf2f5f2 });
-  group.add(plane(140, 140, -0.01, new THREE.MeshLambertMaterial({ color: outerGrass })));
-  group.add(plane(field.length + 2, field.width + 2, 0,
-                  new THREE.MeshLambertMaterial({ color: grass })));
+  const paint = new THREE.MeshLambertMaterial({color: 0xf2f5f2});
+  group.add(plane(140, 140, -0.01, new THREE.MeshLambertMaterial({color: outerGrass})));
+  group.add(
+    plane(field.length + 2, field.width + 2, 0, new THREE.MeshLambertMaterial({color: grass})));
   for (const line of field.lines) group.add(stroke(line, lineWidth, 0.006, paint));
   for (const box of field.solids) group.add(solid(box));
   for (const mark of field.landmarks) group.add(landmark(mark));

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The page: stream -> scene -> picture. Tests look at it through window.k3d.
 import * as THREE from "three";
+
 import * as board from "./board.js";
-import { View } from "./camera.js";
-import { buildGround } from "./ground.js";
-import { Players } from "./robots.js";
-import { openStream } from "./stream.js";
+import {View} from "./camera.js";
+import {buildGround} from "./ground.js";
+import {Players} from "./robots.js";
+import {openStream} from "./stream.js";
 
 const sky = 0xb9d0df;
 
@@ -18,7 +19,7 @@ function wantsShadows(gl) {
 }
 
 function openPicture(canvas) {
-  const renderer = new THREE.WebGLRenderer({ canvas, antialias: true });
+  const renderer = new THREE.WebGLRenderer({canvas, antialias: true});
   renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
   renderer.shadowMap.enabled = wantsShadows(renderer.getContext());
   const scene = new THREE.Scene();
@@ -28,10 +29,10 @@ function openPicture(canvas) {
   const sun = new THREE.DirectionalLight(0xfff6e5, 2.0);
   sun.castShadow = renderer.shadowMap.enabled;
   sun.shadow.mapSize.set(2048, 2048);
-  Object.assign(sun.shadow.camera, { left: -9, right: 9, bottom: -9, top: 9, near: 1, far: 60 });
+  Object.assign(sun.shadow.camera, {left: -9, right: 9, bottom: -9, top: 9, near: 1, far: 60});
   sun.shadow.normalBias = 0.01;
   scene.add(sun, sun.target);
-  return { renderer, scene, sun };
+  return {renderer, scene, sun};
 }
 
 /** Frees what a group holds on the graphics card. */
@@ -44,20 +45,33 @@ function discard(group) {
   });
 }
 
-function start() {
-  const canvas = document.getElementById("picture");
-  const { renderer, scene, sun } = openPicture(canvas);
-  const view = new View(canvas);
-  let ground = null;
-  let players = null;
-  let latest = null;  // moment not drawn yet
-  let shown = null;   // moment last drawn
-  let state = "";
-  let frames = 0;
+/** What tests see of the page. */
+function hookOf(show, view, choose) {
+  const robots = () => show.players?.robots ?? [];
+  return {
+    get frames() { return show.frames; },
+    get state() { return show.state; },
+    get camera() { return view.name; },
+    get time() { return show.shown?.time; },
+    get playMode() { return show.shown?.play_mode; },
+    get episode() { return show.shown?.episode; },
+    get robots() {
+      return robots().map(({team, number, parts}) => ({team, number, parts: parts.length}));
+    },
+    get ballPosition() { return show.players?.ball.position.toArray(); },
+    get robotPositions() { return robots().map((robot) => robot.position.toArray()); },
+    choose,
+  };
+}
 
+/**
+ * Cameras by name: "overview", "top", "ball", "robot N" with N from 1 in the order of the scene.
+ */
+function cameras(show, view) {
   const followed = (name) => {
     const robot = /^robot (\d+)$/.exec(name);
-    return robot ? players?.robots[robot[1] - 1] : name === "ball" ? players?.ball : undefined;
+    if (robot) return show.players?.robots[robot[1] - 1];
+    return name === "ball" ? show.players?.ball : undefined;
   };
   const positionOf = (name) => {
     const object = followed(name);
@@ -69,12 +83,29 @@ function start() {
     view.choose(name, still ? null : positionOf(name));
     board.showCamera(name);
   };
+  /** The same robot of the next scene goes on being followed, from where the user looks. */
+  const keep = () => {
+    if (view.follow && followed(view.name))
+      view.follow = positionOf(view.name);
+    else if (view.follow)
+      choose("overview");
+    board.showCamera(view.name);
+  };
+  return {choose, keep};
+}
+
+function start() {
+  const canvas = document.getElementById("picture");
+  const {renderer, scene, sun} = openPicture(canvas);
+  const view = new View(canvas);
+  // latest: moment not drawn yet; shown: moment last drawn
+  const show = {ground: null, players: null, latest: null, shown: null, state: "", frames: 0};
+  const {choose, keep} = cameras(show, view);
 
   const resize = () => {
     renderer.setSize(innerWidth, innerHeight, false);
     view.resize(innerWidth / innerHeight);
   };
-
   board.wireCameras(choose);
   addEventListener("resize", resize);
   resize();
@@ -82,34 +113,31 @@ function start() {
 
   openStream({
     scene(message) {
-      discard(ground);
-      discard(players?.group);
-      ground = buildGround(message);
-      players = new Players(message);
-      players.move(message.now);
-      scene.add(ground, players.group);
+      discard(show.ground);
+      discard(show.players?.group);
+      show.ground = buildGround(message);
+      show.players = new Players(message);
+      show.players.move(message.now);
+      scene.add(show.ground, show.players.group);
       view.setExtent(message.area ?? [message.field.length, message.field.width]);
       board.showScene(message);
       board.showRobotButtons(message.robots);
-      // The same robot of the next episode goes on being followed, from where the user looks.
-      if (view.follow && followed(view.name)) view.follow = positionOf(view.name);
-      else if (view.follow) choose("overview");
-      board.showCamera(view.name);
+      keep();
     },
-    moment(message) { latest = message; },
+    moment(message) { show.latest = message; },
     state(next) {
-      state = next;
+      show.state = next;
       board.showState(next);
     },
   });
 
   let before = performance.now();
   renderer.setAnimationLoop((now) => {
-    if (latest && players) {
-      players.move(latest);
-      board.showMoment(latest);
-      shown = latest;
-      latest = null;
+    if (show.latest && show.players) {
+      show.players.move(show.latest);
+      board.showMoment(show.latest);
+      show.shown = show.latest;
+      show.latest = null;
     }
     view.update((now - before) / 1000);
     before = now;
@@ -117,28 +145,9 @@ function start() {
     sun.target.position.copy(view.controls.target).setZ(0);
     sun.position.copy(sun.target.position).add(new THREE.Vector3(-8, -10, 24));
     renderer.render(scene, view.camera);
-    ++frames;
+    ++show.frames;
   });
-
-  window.k3d = {
-    get frames() { return frames; },
-    get state() { return state; },
-    get camera() { return view.name; },
-    get time() { return shown?.time; },
-    get playMode() { return shown?.play_mode; },
-    get episode() { return shown?.episode; },
-    get robots() {
-      return (players?.robots ?? []).map(({ team, number, parts }) => ({ team, number, parts: parts.length }));
-    },
-    get ballPosition() { return players?.ball.position.toArray(); },
-    get robotPositions() { return (players?.robots ?? []).map((robot) => robot.position.toArray()); },
-    /** Where a point of the field frame is in the window, in pixels. */
-    pixelOf(position) {
-      const p = new THREE.Vector3(...position).project(view.camera);
-      return [((p.x + 1) / 2) * innerWidth, ((1 - p.y) / 2) * innerHeight];
-    },
-    choose,
-  };
+  window.k3d = hookOf(show, view, choose);
 }
 
 try {

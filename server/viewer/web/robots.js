@@ -2,7 +2,11 @@
 // What moves: robots as the boxes, spheres and capsules they are made of, and the ball.
 import * as THREE from "three";
 
-const colours = { left: 0x3d8bf2, right: 0xf0544a, none: 0x8d99a3 };
+const colours = {
+  left: 0x3d8bf2,
+  right: 0xf0544a,
+  none: 0x8d99a3
+};
 const labelHeight = 0.26;  // above the torso's centre
 const coloured = /^(body|[rl]upperarm|[rl]thigh|[rl]foot|[rl]toe)$/;
 
@@ -14,10 +18,11 @@ function place(object, numbers, at) {
     if (typeof numbers[i] !== "number") return;
   }
   object.position.set(numbers[at] / 1e4, numbers[at + 1] / 1e4, numbers[at + 2] / 1e4);
-  object.quaternion.set(numbers[at + 4], numbers[at + 5], numbers[at + 6], numbers[at + 3]).normalize();
+  object.quaternion.set(numbers[at + 4], numbers[at + 5], numbers[at + 6], numbers[at + 3])
+    .normalize();
 }
 
-function shapeOf({ shape, size }) {
+function shapeOf({shape, size}) {
   if (shape === "box") return new THREE.BoxGeometry(...size);
   if (shape === "sphere") return new THREE.SphereGeometry(size[0], 24, 16);
   const capsule = new THREE.CapsuleGeometry(size[0], size[1], 6, 16);
@@ -25,15 +30,15 @@ function shapeOf({ shape, size }) {
 }
 
 function materialOf(part, team) {
-  if (!part.collides) return new THREE.MeshLambertMaterial({ color: 0x4b545c });
+  if (!part.collides) return new THREE.MeshLambertMaterial({color: 0x4b545c});
   const color = coloured.test(part.name) ? teamColour(team) : 0xeef1f3;
-  return new THREE.MeshLambertMaterial({ color });
+  return new THREE.MeshLambertMaterial({color});
 }
 
 /** A dark visor shows which way a head looks (+y is forward). */
 function visor(radius) {
   const geometry = new THREE.SphereGeometry(radius, 20, 14).scale(0.86, 0.62, 0.42);
-  const mesh = new THREE.Mesh(geometry, new THREE.MeshLambertMaterial({ color: 0x20262b }));
+  const mesh = new THREE.Mesh(geometry, new THREE.MeshLambertMaterial({color: 0x20262b}));
   mesh.position.set(0, radius * 0.5, radius * 0.14);
   return mesh;
 }
@@ -56,10 +61,10 @@ function label(number, team) {
   paint.fillText(String(number), 32, 34);
   const texture = new THREE.CanvasTexture(canvas);
   texture.colorSpace = THREE.SRGBColorSpace;
-  const sprite = new THREE.Sprite(new THREE.SpriteMaterial(
-    { map: texture, sizeAttenuation: false, depthTest: false, fog: false }));
+  const sprite = new THREE.Sprite(
+    new THREE.SpriteMaterial({map: texture, sizeAttenuation: false, depthTest: false, fog: false}));
   sprite.scale.setScalar(0.034);  // of the picture's height: legible from any distance
-  sprite.center.set(0.5, -0.3);  // above the robot in the picture, even from above
+  sprite.center.set(0.5, -0.3);   // above the robot in the picture, even from above
   sprite.renderOrder = 2;
   return sprite;
 }
@@ -114,13 +119,14 @@ function ballTexture() {
 class Ball {
   constructor(radius) {
     this.group = new THREE.Group();
-    this.mesh = new THREE.Mesh(new THREE.SphereGeometry(radius, 32, 20),
-                               new THREE.MeshLambertMaterial({ map: ballTexture() }));
+    this.mesh = new THREE.Mesh(
+      new THREE.SphereGeometry(radius, 32, 20),
+      new THREE.MeshLambertMaterial({map: ballTexture()}));
     this.mesh.castShadow = true;
     // The ball is 8 cm in a field of 30 m: a ring on the ground shows where it is.
     this.ring = new THREE.Mesh(
       new THREE.RingGeometry(0.13, 0.165, 40),
-      new THREE.MeshBasicMaterial({ color: 0xfff3b0, transparent: true, opacity: 0.85 }));
+      new THREE.MeshBasicMaterial({color: 0xfff3b0, transparent: true, opacity: 0.85}));
     this.group.add(this.mesh, this.ring);
   }
 

@@ -7,9 +7,11 @@ const firstPause = 300;  // ms between attempts, growing to the longest
 const longestPause = 2000;
 const silence = 2000;  // ms without a message until we say that the simulation stands still
 
-/** Calls on.scene(scene), on.moment(moment) and on.state(state), state being one of
+/**
+ * Calls on.scene(scene), on.moment(moment) and on.state(state), state being one of
  *  "waiting" (no server yet), "lost" (it was there), "open" (nothing told yet), "live", "still"
- *  (connected, but nothing new), "outdated" (the server is newer than this page). */
+ *  (connected, but nothing new), "outdated" (the server is newer than this page).
+ */
 export function openStream(on) {
   const url = new URL("stream", location.href);
   url.protocol = location.protocol === "https:" ? "wss:" : "ws:";

@@ -48,9 +48,9 @@ TEST_F(FilesTest, FindsFilesOfTheFolder) {
 
 TEST_F(FilesTest, ServesNothingElse) {
     for (const char* target :
-         {"/../secret.txt", "/%2e%2e/secret.txt", "/lib/../../secret.txt", "/lib/%2E./../secret.txt",
-          "/..%2fsecret.txt", "/.hidden", "/link.txt", "/linked/x.txt", "/../web-secret/x.txt",
-          "/none.js", "/index.html/", "/pipe", "//etc/passwd", "/lib/.."}) {
+         {"/../secret.txt", "/%2e%2e/secret.txt", "/lib/../../secret.txt",
+          "/lib/%2E./../secret.txt", "/..%2fsecret.txt", "/.hidden", "/link.txt", "/linked/x.txt",
+          "/../web-secret/x.txt", "/none.js", "/index.html/", "/pipe", "//etc/passwd", "/lib/.."}) {
         EXPECT_EQ(what(target), Found::What::Missing) << target;
     }
     EXPECT_EQ(what("/" + std::string(100'000, 'a')), Found::What::Missing);
@@ -69,9 +69,10 @@ TEST_F(FilesTest, NamesMalformedTargets) {
 TEST_F(FilesTest, NoTargetLeadsOutside) {
     const std::filesystem::path folder = std::filesystem::canonical(root());
     const bool held = rc::check("whatever is found lies in the folder", [&] {
-        const auto parts = *rc::gen::container<std::vector<std::string>>(rc::gen::element<std::string>(
-            "/", "..", ".", "%2e", "%2f", "web", "secret.txt", "index.html", "lib", "linked", "%",
-            "a b.js", "\\", "?", "x.txt", "web-secret"));
+        const auto parts =
+            *rc::gen::container<std::vector<std::string>>(rc::gen::element<std::string>(
+                "/", "..", ".", "%2e", "%2f", "web", "secret.txt", "index.html", "lib", "linked",
+                "%", "a b.js", "\\", "?", "x.txt", "web-secret"));
         std::string target = "/";
         for (const std::string& part : parts) target += part;
         const Found result = find_file(root(), target);

@@ -47,7 +47,9 @@ class RawPeer {
     RawPeer& operator=(const RawPeer&) = delete;
 
     /// What fits into the kernel; a closed connection takes nothing.
-    void send(std::string_view bytes) { (void)::send(fd_, bytes.data(), bytes.size(), MSG_NOSIGNAL); }
+    void send(std::string_view bytes) {
+        (void)::send(fd_, bytes.data(), bytes.size(), MSG_NOSIGNAL);
+    }
 
     void take() {
         char chunk[65536];
@@ -85,7 +87,8 @@ class RawPeer {
 
     /// Upgrades to a WebSocket with the example key of RFC 6455; false if refused.
     bool open_socket(net::Loop& loop, const std::string& path = "/stream") {
-        send("GET " + path + " HTTP/1.1\r\nHost: x\r\nConnection: Upgrade\r\nUpgrade: websocket\r\n"
+        send("GET " + path +
+             " HTTP/1.1\r\nHost: x\r\nConnection: Upgrade\r\nUpgrade: websocket\r\n"
              "Sec-WebSocket-Version: 13\r\nSec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\n\r\n");
         until(loop, [&] { return closed_ || received_.find("\r\n\r\n") != std::string::npos; });
         const std::size_t end = received_.find("\r\n\r\n");

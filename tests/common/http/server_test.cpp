@@ -72,7 +72,8 @@ TEST_F(ServerTest, ServesFilesOverOneConnection) {
 TEST_F(ServerTest, SaysWhatIsWrong) {
     start();
     EXPECT_THAT(ask("GET /none HTTP/1.1\r\nHost: x\r\n\r\n"), StartsWith("HTTP/1.1 404 "));
-    EXPECT_THAT(ask("GET /../server_test HTTP/1.1\r\nHost: x\r\n\r\n"), StartsWith("HTTP/1.1 404 "));
+    EXPECT_THAT(ask("GET /../server_test HTTP/1.1\r\nHost: x\r\n\r\n"),
+                StartsWith("HTTP/1.1 404 "));
     EXPECT_THAT(ask("GET /%zz HTTP/1.1\r\nHost: x\r\n\r\n"), StartsWith("HTTP/1.1 400 "));
     EXPECT_THAT(ask("GET nonsense HTTP/1.1\r\nHost: x\r\n\r\n"), StartsWith("HTTP/1.1 400 "));
     EXPECT_THAT(ask("GET /stream HTTP/1.1\r\nHost: x\r\n\r\n"), StartsWith("HTTP/1.1 426 "));
@@ -228,9 +229,8 @@ TEST_F(ServerTest, EndsAreNoticedOnBothSides) {
     ASSERT_TRUE(stayer.open_socket(loop_));
     leaver.reset();
     talker.send(std::string("\x81\x82\0\0\0\0hi", 8));  // a page has nothing to say
-    EXPECT_TRUE(loop_.wait(net::Clock::now() + test::kPatience, [&] {
-        return sockets_[0]->closed() && sockets_[1]->closed();
-    }));
+    EXPECT_TRUE(loop_.wait(net::Clock::now() + test::kPatience,
+                           [&] { return sockets_[0]->closed() && sockets_[1]->closed(); }));
     EXPECT_FALSE(sockets_[0]->send(Socket::Kind::Text, "to nobody"));
     EXPECT_TRUE(talker.until_closed(loop_));
     EXPECT_FALSE(sockets_[2]->closed());

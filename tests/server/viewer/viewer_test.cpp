@@ -21,8 +21,8 @@ class ViewerTest : public testing::Test {
   protected:
     ViewerTest() {
         folder_.write("index.html", "<p>page</p>");
-        viewer_ = std::make_unique<Viewer>(loop_, "127.0.0.1", std::uint16_t{0},
-                                           folder_.path().string());
+        viewer_ =
+            std::make_unique<Viewer>(loop_, "127.0.0.1", std::uint16_t{0}, folder_.path().string());
     }
     /// Publishes `scene` until the page has got a message, and returns that.
     json told(RawPeer& page, const SceneView& scene) {
@@ -102,8 +102,8 @@ TEST_F(ViewerTest, NobodyWatchesAfterThePageIsClosed) {
     reader.send("GET / HTTP/1.1\r\nHost: x\r\n\r\n");
     EXPECT_THAT(reader.answer(loop_), testing::HasSubstr("<p>page</p>"));
     page.reset();
-    EXPECT_TRUE(loop_.wait(net::Clock::now() + test::kPatience,
-                           [this] { return !viewer_->watched(); }));
+    EXPECT_TRUE(
+        loop_.wait(net::Clock::now() + test::kPatience, [this] { return !viewer_->watched(); }));
     viewer_->publish(sample_scene());
 }
 

@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Decides for a keeper.
+#include "agent/decision/keepaway/keeper.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "agent/skills/look.h"
+
+namespace k3d::agent::decision {
+namespace {
+
+double nearest_taker(const world::Beliefs& b, const Vec2& point) {
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const world::Player& taker : b.opponents)
+        nearest = std::min(nearest, (taker.position - point).norm());
+    return nearest;
+}
+
+std::vector<skills::Obstacle> robots_of(const world::Beliefs& b, double clearance) {
+    std::vector<skills::Obstacle> robots;
+    for (const auto& p : b.mates) robots.push_back({p.position, clearance});
+    for (const auto& p : b.opponents) robots.push_back({p.position, clearance});
+    return robots;
+}
+
+Vec2 inside(const Vec2& point, double half) {
+    return {std::clamp(point.x(), -half, half), std::clamp(point.y(), -half, half)};
+}
+
+}  // namespace
+
+Vec2 birth_place(int unum, const KeepawayConfig& c) {
+    const double angle = kPi / 2.0 + 2.0 * kPi * (unum - 1) / c.keepers;
+    return direction(angle) * (0.25 * c.area);
+}
+
+Keeper::Keeper(const KeeperSettings& settings, Policy policy, const skills::KickGeometry& kick,
+               RandomStream choices)
+    : settings_(settings),
+      policy_(std::move(policy)),
+      kick_(kick),
+      choices_(choices),
+      grid_(target_grid(settings.keepaway.area, settings.evaluation)),
+      possession_(make_possession(settings.possession, settings.skills, kick)) {}
+
+Decision Keeper::decide(const world::Beliefs& b, const motion::State& body,
+                        std::span<const talk::Report> reports) {
+    if (!home_)
+        home_ = b.self.localised ? b.self.pose.position : birth_place(b.game.unum, settings_.keepaway);
+    if (body.kick_started) ++kicks_;
+
+    Assignment part = roles_.update(b, reports, settings_.keeper);
+    Decision d;
+    d.account.role = name_of(part.role);
+    d.account.k1 = part.k1;
+    if (const double near = nearest_taker(b, b.ball.position); std::isfinite(near))
+        d.account.taker_distance = near;
+
+    const bool is_k1 = part.role == Role::K1;
+    if (is_k1 && !was_k1_) possession_.invoke();
+    if (!is_k1 && was_k1_) possession_.abort();
+    if (is_k1 != was_k1_ || body.kick_done) target_.reset();
+    was_k1_ = is_k1;
+
+    d.request.body = act(b, body, part, d.account);
+    const bool busy = is_k1 && (b.self.pose.position - b.ball.position).norm() < 0.8;
+    d.request.head = skills::look(b, body, busy, settings_.skills);
+
+    talk::Message m;
+    m.unum = b.game.unum;
+    m.position = b.self.pose.position;
+    m.fallen = !b.self.upright;
+    if (b.ball.known && b.now - b.ball.seen < 0.5) {
+        m.ball = b.ball.position;
+        m.ball_velocity = b.ball.velocity;
+    }
+    m.claims_k1 = is_k1;
+    if (is_k1 && target_) m.target = target_;
+    m.k2 = is_k1 ? k2_ : 0;
+    m.kicks = kicks_ % 16;
+    d.say = m;
+    return d;
+}
+
+motion::BodyRequest Keeper::act(const world::Beliefs& b, const motion::State& body,
+                                const Assignment& part, Account& account) {
+    if (body.activity == motion::Activity::Kicking && swing_) {
+        account.skill = "kick";
+        account.target = target_;
+        return *swing_;
+    }
+    swing_.reset();
+    if (policy_.kind == Policy::Kind::Still) {
+        account.skill = "still";
+        return motion::Stand{};
+    }
+    if (!b.self.upright) {
+        account.skill = "fallen";
+        return motion::Stand{};
+    }
+    if (const auto turn = skills::search_turn(b, settings_.skills)) {
+        account.skill = "search";
+        return *turn;
+    }
+    if (!b.self.localised) {  // the head looks for landmarks meanwhile
+        account.skill = "lost";
+        return motion::Stand{};
+    }
+    switch (part.role) {
+        case Role::K1: return act_k1(b, body, account);
+        case Role::K2:
+            account.skill = "go_to_target";
+            account.target = part.target;
+            return walk_and_watch(b, *part.target);
+        case Role::K3: break;
+    }
+    account.skill = "go_home";
+    account.target = home_;
+    return walk_and_watch(b, *home_);
+}
+
+motion::BodyRequest Keeper::act_k1(const world::Beliefs& b, const motion::State& body,
+                                   Account& account) {
+    choose_target(b, account);
+    const KeeperConfig& c = settings_.keeper;
+    const double near = nearest_taker(b, b.ball.position);
+    const double pressure = std::clamp(
+        (c.pressure_far - near) / std::max(c.pressure_far - c.pressure_near, 1e-6), 0.0, 1.0);
+    const PossessionInput input{
+        .beliefs = b,
+        .body = body,
+        .target = *target_,
+        .pressure = pressure,
+        // HOLD or kick: the one fixed decision of paper 5.1.
+        .may_kick = near <= c.hold_threshold && policy_.kind != Policy::Kind::Hold,
+        .half_area = settings_.keepaway.area / 2.0 - c.stance_margin,
+        .robots = robots_of(b, settings_.skills.robot_clearance),
+    };
+    motion::BodyRequest request = possession_.get_skill(input);
+    account.skill = possession_.state_name();
+    if (const auto* kick = std::get_if<motion::Kick>(&request)) swing_ = *kick;
+    return request;
+}
+
+void Keeper::choose_target(const world::Beliefs& b, Account& account) {
+    // A ball on its way is judged where it will be when it can be kicked.
+    PassSituation situation;
+    situation.ball = b.ball.moving ? b.ball.finish : b.ball.position;
+    for (const auto& taker : b.opponents) situation.takers.push_back({taker.position, taker.lagged});
+    for (const auto& mate : b.mates) situation.receivers.push_back(mate.position);
+
+    if (policy_.kind == Policy::Kind::Random) {
+        if (!target_) target_ = grid_[static_cast<std::size_t>(choices_.below(static_cast<int>(grid_.size())))];
+    } else {
+        const Room room = [&](const Vec2& p) { return stance_room(p, situation.ball); };
+        const Target best = best_target(grid_, situation, policy_, settings_.evaluation, room,
+                                        target_, settings_.keeper.target_margin);
+        target_ = best.point;
+        account.cost = best.cost;
+    }
+    k2_ = choose_k2(*target_, b.mates, k2_, settings_.keeper);
+    account.target = target_;
+    account.k2 = k2_;
+}
+
+double Keeper::stance_room(const Vec2& target, const Vec2& ball) const {
+    const double yaw = yaw_of(target - ball);
+    const Pose2 stance = kick_.stand_pose({ball, yaw}, ball, yaw);
+    const double half = settings_.keepaway.area / 2.0 - settings_.keeper.stance_margin;
+    return half - stance.position.cwiseAbs().maxCoeff();
+}
+
+motion::BodyRequest Keeper::walk_and_watch(const world::Beliefs& b, const Vec2& place) {
+    std::vector<skills::Obstacle> obstacles = robots_of(b, settings_.skills.robot_clearance);
+    if (b.ball.known) obstacles.push_back({b.ball.position, settings_.skills.ball_clearance});
+    const double half = settings_.keepaway.area / 2.0 - settings_.keeper.area_margin;
+    const Vec2 goal = inside(place, half);
+    const double yaw = yaw_of(b.ball.position - b.self.pose.position);
+    return go_to_.step(b.self.pose, {goal, yaw}, obstacles, settings_.skills);
+}
+
+}  // namespace k3d::agent::decision

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A keeper (paper 5.1): takes its role; K1 chooses target and helper, gets the ball, holds or
+// kicks; K2 goes to the target and faces the ball; K3 goes home and watches.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "agent/decision/config.h"
+#include "agent/decision/decision.h"
+#include "agent/decision/keepaway/policy.h"
+#include "agent/decision/keepaway/roles.h"
+#include "agent/decision/possession.h"
+#include "agent/skills/config.h"
+#include "agent/skills/go_to.h"
+#include "agent/talk/ears.h"
+#include "agent/world/beliefs.h"
+#include "common/random/stream.h"
+
+namespace k3d::agent::decision {
+
+/// Where keeper `unum` is born: evenly on a circle of a quarter of the side, the first at 90
+/// degrees (team frame of the left team).
+Vec2 birth_place(int unum, const KeepawayConfig& config);
+
+struct KeeperSettings {
+    KeepawayConfig keepaway;
+    KeeperConfig keeper;
+    EvaluationConfig evaluation;
+    PossessionConfig possession;
+    skills::SkillConfig skills;
+};
+
+class Keeper {
+  public:
+    /// `choices`: stream of the random policy. Throws network::NetworkError.
+    Keeper(const KeeperSettings& settings, Policy policy, const skills::KickGeometry& kick,
+           RandomStream choices);
+
+    /// Decides for one cycle of play.
+    Decision decide(const world::Beliefs& beliefs, const motion::State& body,
+                    std::span<const talk::Report> reports);
+
+  private:
+    motion::BodyRequest act(const world::Beliefs& beliefs, const motion::State& body,
+                            const Assignment& part, Account& account);
+    motion::BodyRequest act_k1(const world::Beliefs& beliefs, const motion::State& body,
+                               Account& account);
+    void choose_target(const world::Beliefs& beliefs, Account& account);
+    double stance_room(const Vec2& target, const Vec2& ball) const;
+    motion::BodyRequest walk_and_watch(const world::Beliefs& beliefs, const Vec2& place);
+
+    KeeperSettings settings_;
+    Policy policy_;
+    skills::KickGeometry kick_;
+    RandomStream choices_;
+    std::vector<Vec2> grid_;
+    RoleKeeper roles_;
+    PossessionBehaviour possession_;
+    skills::GoTo go_to_;
+    std::optional<Vec2> home_;        ///< where this keeper was born
+    std::optional<Vec2> target_;      ///< while K1
+    std::optional<motion::Kick> swing_;  ///< the kick under way
+    int k2_ = 0;
+    int kicks_ = 0;
+    bool was_k1_ = false;
+};
+
+}  // namespace k3d::agent::decision

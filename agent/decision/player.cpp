@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Keeper or taker, playing or waiting.
+#include "agent/decision/player.h"
+
+#include "agent/skills/look.h"
+
+namespace k3d::agent::decision {
+
+Player::Player(const PlayerSettings& s, const skills::KickGeometry& kick)
+    : role_(s.role),
+      skills_(s.keeper.skills),
+      keeper_(s.keeper, load_policy(s.keeper.keeper.policy), kick,
+              RandomStream(s.seed, s.entity, "target")),
+      taker_(s.taker, s.keeper.skills, RandomStream(s.seed, s.entity, "follow")) {}
+
+Decision Player::decide(const world::Beliefs& b, const motion::State& body,
+                        std::span<const talk::Report> reports) {
+    const bool keeps = role_ == "keeper" || (role_ == "auto" && b.game.side == wire::Side::Left);
+    if (b.game.play_mode == "PlayOn" && b.game.side != wire::Side::None)
+        return keeps ? keeper_.decide(b, body, reports) : taker_.decide(b, body);
+    Decision d;
+    d.request.head = skills::look(b, body, false, skills_);
+    d.account.role = "idle";
+    d.account.skill = "wait";
+    return d;
+}
+
+}  // namespace k3d::agent::decision

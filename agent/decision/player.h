@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A player's decision in one cycle: its job by side and settings, its conduct by play mode.
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "agent/decision/decision.h"
+#include "agent/decision/keepaway/keeper.h"
+#include "agent/decision/keepaway/taker.h"
+
+namespace k3d::agent::decision {
+
+struct PlayerSettings {
+    std::string role = "auto";  ///< auto, keeper, taker
+    KeeperSettings keeper;
+    TakerConfig taker;
+    std::uint64_t seed = 1;
+    std::string entity;         ///< names this player's random streams
+};
+
+class Player {
+  public:
+    /// Throws network::NetworkError for a policy or network that cannot be used.
+    Player(const PlayerSettings& settings, const skills::KickGeometry& kick);
+
+    /// Keeps or takes while the game is on; otherwise stands and looks around.
+    Decision decide(const world::Beliefs& beliefs, const motion::State& body,
+                    std::span<const talk::Report> reports);
+
+  private:
+    std::string role_;
+    skills::SkillConfig skills_;
+    Keeper keeper_;
+    Taker taker_;
+};
+
+}  // namespace k3d::agent::decision

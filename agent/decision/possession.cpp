@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The four actions of getting possession and who chooses among them.
+#include "agent/decision/possession.h"
+
+#include <algorithm>
+#include <memory>
+
+#include "agent/skills/intercept.h"
+
+namespace k3d::agent::decision {
+namespace {
+
+using motion::BodyRequest;
+
+Vec2 inside(const Vec2& point, double half) {
+    return {std::clamp(point.x(), -half, half), std::clamp(point.y(), -half, half)};
+}
+
+/// Walk to a point of the ball's path and face the ball.
+BodyRequest meet(const PossessionInput& in, const Vec2& point, skills::GoTo& go_to,
+                 const skills::SkillConfig& skill) {
+    const Pose2& self = in.beliefs.self.pose;
+    const Pose2 goal{inside(point, in.half_area), yaw_of(in.beliefs.ball.position - self.position)};
+    return go_to.step(self, goal, in.robots, skill);
+}
+
+BodyRequest position(const PossessionInput& in, const skills::SkillConfig& skill,
+                     const skills::KickGeometry& kick) {
+    const skills::KickSituation situation{
+        in.beliefs.self.pose,
+        in.beliefs.ball.position,
+        in.target,
+        in.pressure,
+        in.may_kick,
+        in.body.activity == motion::Activity::Standing,
+    };
+    return skills::position_for_kick(situation, kick, in.robots, skill);
+}
+
+}  // namespace
+
+std::vector<double> possession_variables(const PossessionInput& in) {
+    const Pose2& self = in.beliefs.self.pose;
+    const world::Ball& ball = in.beliefs.ball;
+    const double agent_ball = (ball.position - self.position).norm();
+    const double bearing = wrap_angle(yaw_of(in.target - self.position) - self.yaw);
+    return {
+        agent_ball,
+        (ball.finish - self.position).norm(),
+        (ball.finish - ball.position).norm(),
+        degrees(angle_at(ball.position, self.position, ball.finish)),
+        degrees(std::abs(bearing)),
+        agent_ball - (ball.position_before - self.position).norm(),
+    };
+}
+
+int choose_by_rules(const std::vector<double>& v, int state, const PossessionConfig& c) {
+    const double agent_ball = v[0];
+    const double agent_finish = v[1];
+    const double ball_finish = v[2];
+    const double seen_apart_deg = v[3];
+    const bool ball_comes = v[5] < 0.0;
+    // A state once chosen keeps a quarter more room, so that noise does not flip it.
+    const double room = state == kPosition ? 1.25 : 1.0;
+    if (ball_finish < c.at_rest * room)
+        return agent_ball < c.position_distance * room ? kPosition : kGoToFinish;
+    if (agent_finish < c.wait_distance && ball_comes) return kHold;
+    const double apart = state == kIntercept ? 0.75 * c.passing_by_deg : c.passing_by_deg;
+    if (seen_apart_deg > apart && ball_finish > c.position_distance) return kIntercept;
+    return kGoToFinish;
+}
+
+PossessionBehaviour make_possession(const PossessionConfig& config, const skills::SkillConfig& skill,
+                                    const skills::KickGeometry& kick) {
+    auto to_path = std::make_shared<skills::GoTo>();
+    auto to_finish = std::make_shared<skills::GoTo>();
+    std::vector<Action<PossessionInput, BodyRequest>> actions(kPossessionStates);
+    actions[kIntercept] = {"intercept",
+                           [=](const PossessionInput& in) {
+                               const Vec2& self = in.beliefs.self.pose.position;
+                               const Vec2 point =
+                                   skill.intercept == "foot"
+                                       ? skills::perpendicular_foot(self, in.beliefs.ball)
+                                       : skills::earliest_meeting(self, in.beliefs.ball,
+                                                                  skill.forward_speed);
+                               return meet(in, point, *to_path, skill);
+                           },
+                           [=] { to_path->reset(); }};
+    actions[kGoToFinish] = {"go_to_finish",
+                            [=](const PossessionInput& in) {
+                                return meet(in, in.beliefs.ball.finish, *to_finish, skill);
+                            },
+                            [=] { to_finish->reset(); }};
+    actions[kPosition] = {"position",
+                          [=](const PossessionInput& in) { return position(in, skill, kick); }};
+    actions[kHold] = {"hold", [](const PossessionInput&) -> BodyRequest { return motion::Stand{}; }};
+
+    Chooser<PossessionInput> chooser = [config](const PossessionInput& in, int state) {
+        return choose_by_rules(possession_variables(in), state, config);
+    };
+    if (!config.network.empty()) {
+        network::Network net(network::load_file(config.network), config.network);
+        network::require_shape(net, kPossessionInputs, kPossessionStates, config.network);
+        chooser = network_chooser<PossessionInput>(std::move(net), possession_variables);
+    }
+    return {std::move(actions), std::move(chooser), kGoToFinish, kHold};
+}
+
+}  // namespace k3d::agent::decision

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Settings of the skills: how fast to walk where, how exactly to stand for a kick, how to look.
+#pragma once
+
+#include <string>
+
+#include "common/config/fields.h"
+
+namespace k3d::agent::skills {
+
+struct SkillConfig {
+    // Speeds asked of the walk; the walk engine has the last word.
+    double forward_speed = 0.7;
+    double backward_speed = 0.3;
+    double side_speed = 0.25;
+    double turn_rate = 1.2;
+    double gain = 1.6;
+    double turn_gain = 2.0;
+    double near_distance = 0.6;
+    double arrive_distance = 0.12;
+    double leave_distance = 0.3;
+    double arrive_angle = 0.2;
+    double leave_angle = 0.45;
+    double robot_clearance = 0.5;
+    double ball_clearance = 0.35;
+
+    std::string intercept = "earliest";
+
+    double circle_radius = 0.36;
+    double kick_tolerance_x = 0.025;
+    double kick_tolerance_y = 0.02;
+    double kick_tolerance_yaw = 0.12;
+    double kick_loosen = 2.0;
+    double kick_loosen_yaw = 4.0;
+
+    double look_sweep = 0.6;
+    double look_sweep_busy = 0.2;
+    double look_period = 2.4;
+    double look_lost_after = 0.7;
+    double look_turn_after = 3.0;
+
+    void describe(config::Fields& f) {
+        f.number("forward_speed", forward_speed, {0.05, 2.0}, "m/s", "fastest walk forward asked for");
+        f.number("backward_speed", backward_speed, {0.05, 2.0}, "m/s", "fastest walk backward asked for");
+        f.number("side_speed", side_speed, {0.05, 2.0}, "m/s", "fastest walk sideways asked for");
+        f.number("turn_rate", turn_rate, {0.1, 4.0}, "rad/s", "fastest turn asked for");
+        f.number("gain", gain, {0.1, 10.0}, "1/s", "speed per metre left to go");
+        f.number("turn_gain", turn_gain, {0.1, 10.0}, "1/s", "turn rate per radian left to turn");
+        f.number("near_distance", near_distance, {0.1, 3.0}, "m",
+                 "below this walk in all directions with the final heading, above it turn and walk");
+        f.number("arrive_distance", arrive_distance, {0.01, 1.0}, "m", "stop walking this close");
+        f.number("leave_distance", leave_distance, {0.02, 2.0}, "m", "start again when this far off");
+        f.number("arrive_angle", arrive_angle, {0.02, 1.0}, "rad", "stop turning this close");
+        f.number("leave_angle", leave_angle, {0.05, 2.0}, "rad", "start again when this far off");
+        f.number("robot_clearance", robot_clearance, {0.0, 2.0}, "m",
+                 "distance from a robot's centre kept while walking by");
+        f.number("ball_clearance", ball_clearance, {0.0, 2.0}, "m",
+                 "distance from the ball kept by those who do not want it");
+        f.text("intercept", intercept, {"foot", "earliest"},
+               "foot: perpendicular foot on the ball's path (paper 4.1); earliest: first point "
+               "reached before the ball");
+        f.number("circle_radius", circle_radius, {0.2, 1.0}, "m", "path around the ball");
+        f.number("kick_tolerance_x", kick_tolerance_x, {0.001, 0.2}, "m",
+                 "error of the stance along the kick, at leisure");
+        f.number("kick_tolerance_y", kick_tolerance_y, {0.001, 0.2}, "m",
+                 "error of the stance across the kick, at leisure");
+        f.number("kick_tolerance_yaw", kick_tolerance_yaw, {0.01, 1.0}, "rad",
+                 "error of the stance's heading, at leisure");
+        f.number("kick_loosen", kick_loosen, {1.0, 5.0}, "",
+                 "factor on the position tolerances with a taker at the ball");
+        f.number("kick_loosen_yaw", kick_loosen_yaw, {1.0, 10.0}, "",
+                 "factor on the heading tolerance with a taker at the ball");
+        f.number("look_sweep", look_sweep, {0.0, 1.0}, "rad",
+                 "how far the head swings to both sides of the ball");
+        f.number("look_sweep_busy", look_sweep_busy, {0.0, 1.0}, "rad", "the same while at the ball");
+        f.number("look_period", look_period, {0.5, 10.0}, "s", "one swing of the head, there and back");
+        f.number("look_lost_after", look_lost_after, {0.1, 10.0}, "s",
+                 "search the ball with the head when it was not seen for this long");
+        f.number("look_turn_after", look_turn_after, {0.5, 30.0}, "s",
+                 "search it with the body too when it was not seen for this long");
+    }
+};
+
+}  // namespace k3d::agent::skills

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Positioning for a kick (paper 4.1, POSITION): walk around the ball without touching it, stand
+// where the kick wants us, and kick once allowed and well placed.
+#pragma once
+
+#include <functional>
+#include <span>
+
+#include "agent/motion/motion.h"
+#include "agent/skills/config.h"
+#include "agent/skills/go_to.h"
+#include "common/math/geometry.h"
+
+namespace k3d::agent::skills {
+
+/// What the kick engine says about its reach; functions, so that tests can do without an engine.
+struct KickGeometry {
+    /// Pose (any frame) from which a robot now at `self` should send a ball at `ball` towards
+    /// `yaw`; all in the same frame.
+    std::function<Pose2(const Pose2& self, const Vec2& ball, double yaw)> stand_pose;
+    /// Can the engine strike this ball from here (robot frame)?
+    std::function<bool(const motion::Kick&)> possible;
+};
+
+struct KickSituation {
+    Pose2 self;         ///< team frame
+    Vec2 ball;
+    Vec2 target;
+    double pressure = 0.0;   ///< 0 = nobody near, 1 = a taker at the ball: then be less choosy
+    bool may_kick = false;   ///< else stand ready at the ball
+    bool standing = false;   ///< the robot does not walk at the moment
+};
+
+/// Error of a stance in the stance's own frame, as multiples of the tolerances at this pressure.
+struct StanceError {
+    double x, y, yaw;        ///< m, m, rad
+    double worst;            ///< <= 1: good enough
+};
+StanceError stance_error(const Pose2& self, const Pose2& stance, double pressure,
+                         const SkillConfig& config);
+
+/// Kick when placed and allowed, stand when placed, walk into place otherwise.
+motion::BodyRequest position_for_kick(const KickSituation& situation, const KickGeometry& kick,
+                                      std::span<const Obstacle> robots, const SkillConfig& config);
+
+}  // namespace k3d::agent::skills

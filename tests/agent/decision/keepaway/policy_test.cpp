@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Tests of the target choice: Algorithm 2 by hand, the grid, ties and hysteresis, network files.
+#include "agent/decision/keepaway/policy.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+namespace k3d::agent::decision {
+namespace {
+
+const EvaluationConfig kConfig;
+
+// f1 50, f2 0.5, f3 2, f4 1; takers at rest: value 0.5 * 2 / 50 = 0.02.
+constexpr Features kGood{50.0, 0.5, 2.0, 1.0, 90.0, 90.0, 0.0, 0.0};
+
+Features with(std::initializer_list<std::pair<std::size_t, double>> changes) {
+    Features f = kGood;
+    for (const auto& [i, value] : changes) f[i - 1] = value;
+    return f;
+}
+
+TEST(Algorithm2, PlainValue) { EXPECT_DOUBLE_EQ(hand_coded_cost(kGood, kConfig), 0.02); }
+
+TEST(Algorithm2, FloorOfF1) {
+    EXPECT_DOUBLE_EQ(hand_coded_cost(with({{1, 0.0}}), kConfig), 0.5 * 2.0 / 1.0 + 10.0);
+}
+
+TEST(Algorithm2, PenaltiesBeginBeyondTheirBounds) {
+    EXPECT_DOUBLE_EQ(hand_coded_cost(with({{4, 6.0}}), kConfig), 0.02);
+    EXPECT_DOUBLE_EQ(hand_coded_cost(with({{4, 6.01}}), kConfig), 10.02);
+    EXPECT_DOUBLE_EQ(hand_coded_cost(with({{3, 4.0}}), kConfig), 0.5 * 4.0 / 50.0);
+    EXPECT_DOUBLE_EQ(hand_coded_cost(with({{3, 5.0}}), kConfig), 0.5 * 5.0 / 50.0 + 10.0);
+    EXPECT_DOUBLE_EQ(hand_coded_cost(with({{1, 20.0}}), kConfig), 0.05);
+    EXPECT_DOUBLE_EQ(hand_coded_cost(with({{1, 16.0}}), kConfig), 0.0625 + 10.0);
+}
+
+TEST(Algorithm2, TakerComingTowards) {
+    EXPECT_DOUBLE_EQ(hand_coded_cost(with({{5, 29.0}, {7, 0.51}}), kConfig), 10.02);
+    EXPECT_DOUBLE_EQ(hand_coded_cost(with({{6, 29.0}, {8, 0.51}}), kConfig), 10.02);
+    EXPECT_DOUBLE_EQ(hand_coded_cost(with({{5, 29.0}, {7, 0.5}}), kConfig), 0.02);
+    EXPECT_DOUBLE_EQ(hand_coded_cost(with({{5, 30.0}, {7, 0.51}}), kConfig), 0.02);
+    EXPECT_DOUBLE_EQ(hand_coded_cost(with({{5, 29.0}, {8, 0.51}}), kConfig), 0.02);
+}
+
+TEST(Algorithm2, TakerGoingAwayHalvesButAPenaltyComesFirst) {
+    EXPECT_DOUBLE_EQ(hand_coded_cost(with({{5, 106.0}, {7, 0.51}}), kConfig), 0.01);
+    EXPECT_DOUBLE_EQ(hand_coded_cost(with({{6, 106.0}, {8, 0.51}}), kConfig), 0.01);
+    EXPECT_DOUBLE_EQ(hand_coded_cost(with({{5, 105.0}, {7, 0.51}}), kConfig), 0.02);
+    EXPECT_DOUBLE_EQ(hand_coded_cost(with({{5, 106.0}, {7, 0.51}, {4, 7.0}}), kConfig), 10.02);
+    EXPECT_DOUBLE_EQ(hand_coded_cost(with({{5, 106.0}, {7, 0.6}, {6, 10.0}, {8, 0.6}}), kConfig), 10.02);
+}
+
+TEST(TargetGrid, ThePapersEightyOnePointsAndOtherAreas) {
+    const auto grid = target_grid(10.0, kConfig);
+    ASSERT_EQ(grid.size(), 81u);
+    EXPECT_EQ(grid.front(), Vec2(-4.0, -4.0));
+    EXPECT_EQ(grid.back(), Vec2(4.0, 4.0));
+    EXPECT_EQ(target_grid(8.0, kConfig).size(), 49u);    // +-3.2
+    EXPECT_EQ(target_grid(14.0, kConfig).size(), 121u);  // +-5.6
+    for (const Vec2& p : target_grid(14.0, kConfig)) EXPECT_LE(p.cwiseAbs().maxCoeff(), 5.6);
+}
+
+network::Definition prefers(std::size_t feature, double weight) {
+    network::Definition d;
+    for (const auto name : kFeatureNames) d.inputs.push_back({std::string(name)});
+    d.outputs = {"cost"};
+    d.nodes = {{"cost", network::Activation::Linear, 0.0}};
+    d.links = {{std::string(kFeatureNames[feature - 1]), "cost", weight}};
+    return d;
+}
+
+std::string write_network(const network::Definition& d, const std::string& name) {
+    const auto path = std::filesystem::path(testing::TempDir()) / name;
+    std::ofstream(path) << network::to_json(d);
+    return path.string();
+}
+
+TEST(Policy, NamesAndNetworkFiles) {
+    EXPECT_EQ(load_policy("handcoded").kind, Policy::Kind::Evaluate);
+    EXPECT_EQ(load_policy("still").kind, Policy::Kind::Still);
+    EXPECT_EQ(load_policy("hold").kind, Policy::Kind::Hold);
+    EXPECT_EQ(load_policy("random").kind, Policy::Kind::Random);
+    const std::string path = write_network(prefers(3, 1.0), "k3d_policy_good.json");
+    EXPECT_TRUE(load_policy(path).cost.has_value());
+    EXPECT_THROW(load_policy("handcodet"), network::NetworkError);
+    network::Definition wrong = prefers(3, 1.0);
+    wrong.inputs[2].name = "f9";
+    wrong.links[0].from = "f9";
+    EXPECT_THROW(load_policy(write_network(wrong, "k3d_policy_bad.json")), network::NetworkError);
+}
+
+const Room kAll = [](const Vec2&) { return 1.0; };
+
+PassSituation quiet() {
+    PassSituation s;
+    s.ball = {-2.0, 0.0};
+    s.receivers = {{3.0, 0.0}};
+    return s;
+}
+
+TEST(BestTarget, NetworkLowestCostWins) {
+    // Cost f4: the point nearest to the receiver. Cost -f4: the farthest, first of equals.
+    Policy policy;
+    policy.cost.emplace(prefers(4, 1.0), "test");
+    const auto grid = target_grid(10.0, kConfig);
+    EXPECT_EQ(best_target(grid, quiet(), policy, kConfig, kAll, {}, 0.0).point, Vec2(3.0, 0.0));
+    policy.cost.emplace(prefers(4, -1.0), "test");
+    const Target far = best_target(grid, quiet(), policy, kConfig, kAll, {}, 0.0);
+    EXPECT_EQ(far.point, Vec2(-4.0, -4.0));
+    EXPECT_DOUBLE_EQ(far.cost, -65.0);
+}
+
+TEST(BestTarget, NeverNextToTheBallNorWhereItIsForbidden) {
+    Policy policy;
+    policy.cost.emplace(prefers(3, -1.0), "test");  // likes lengths far from ideal: 0 best
+    PassSituation s = quiet();
+    s.ball = {0.0, 0.0};
+    EvaluationConfig c;
+    const auto grid = target_grid(10.0, c);
+    const Target near = best_target(grid, s, policy, c, kAll, {}, 0.0);
+    EXPECT_DOUBLE_EQ((near.point - s.ball).norm(), 1.0);
+    const Room right = [](const Vec2& p) { return p.x() - 0.5; };
+    EXPECT_EQ(best_target(grid, s, policy, c, right, {}, 0.0).point, Vec2(1.0, 0.0));
+    // Room nowhere: where there is most.
+    const Room none = [](const Vec2& p) { return -1.0 - (p - Vec2(2.0, 3.0)).norm(); };
+    EXPECT_EQ(best_target(grid, s, policy, c, none, {}, 0.0).point, Vec2(2.0, 3.0));
+}
+
+TEST(BestTarget, KeepsThePreviousWithinTheMargin) {
+    Policy policy;
+    policy.cost.emplace(prefers(3, 1.0), "test");
+    const auto grid = target_grid(10.0, kConfig);
+    // Ball (-2, 0): (4, 0) is 6 m off, cost 1; (4, 1) is 6.083 m off, cost 1.0069.
+    const Vec2 old(4.0, 1.0);
+    EXPECT_EQ(best_target(grid, quiet(), policy, kConfig, kAll, old, 0.01).point, old);
+    EXPECT_EQ(best_target(grid, quiet(), policy, kConfig, kAll, old, 0.001).point, Vec2(4.0, 0.0));
+}
+
+}  // namespace
+}  // namespace k3d::agent::decision

@@ -16,6 +16,9 @@ void Config::describe(config::Fields& f) {
              "how fast the turning speed may change");
     f.number("braking", braking, {0.05, 20.0}, "m/s^2", "how fast the forward speed may fall to 0");
 
+    f.number("other_types", other_types, {0.1, 1.0}, "",
+             "share of top speeds and accelerations for robot types other than 0, for which the "
+             "values are tuned");
     f.number("forward_scale", forward_scale, {0.5, 2.0}, "",
              "speed of the steps over the speed wanted, since feet slip");
     f.number("sideways_scale", sideways_scale, {0.5, 2.0}, "", "the same sideways");

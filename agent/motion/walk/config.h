@@ -23,6 +23,8 @@ struct Config {
     double turn_scale = 1.0;
     double heading_gain = 3.0;
 
+    double other_types = 0.75;
+
     // The step.
     double step_duration = 0.14;
     double lift_start = 0.04;

@@ -41,6 +41,7 @@ WalkEngine::WalkEngine(const nao::Model& model, const Config& config)
       hips_(left_.hip().x(), 0.0, left_.hip().z()),
       leg_length_(length_of_leg(left_)),
       scale_(leg_length_ / length_of_leg(kinematics::Leg(nao::model(0), Side::Left))),
+      share_(model.type == 0 ? 1.0 : config.other_types),
       steps_(config, left_.hip().y(), scale_) {}
 
 void WalkEngine::start(const Walk& wish) {
@@ -57,24 +58,24 @@ Side WalkEngine::support() const {
 }
 
 void WalkEngine::follow(const Walk& wish) {
-    Walk target = wish;
-    const double top = wish.forward >= 0.0 ? config_.max_forward : config_.max_backward;
+    const auto of_top = [this](double speed, double top) {
+        return speed / std::max(top * share_, 1e-6);
+    };
     // All three at their limit at once would be too much for the legs.
-    const double share = std::sqrt(std::pow(wish.forward / std::max(top, 1e-6), 2) +
-                                   std::pow(wish.left / std::max(config_.max_sideways, 1e-6), 2) +
-                                   std::pow(wish.turn / std::max(config_.max_turn, 1e-6), 2));
-    if (share > 1.0) {
-        target.forward /= share;
-        target.left /= share;
-        target.turn /= share;
-    }
-    const bool braking = velocity_.forward * (target.forward - velocity_.forward) < 0.0;
-    const double forward = braking ? config_.braking : config_.forward_acceleration;
-    velocity_.forward = approach(velocity_.forward, target.forward, forward * kCycleSeconds);
-    velocity_.left = approach(velocity_.left, target.left,
-                              config_.sideways_acceleration * kCycleSeconds);
-    velocity_.turn = approach(velocity_.turn, target.turn,
-                              config_.turn_acceleration * kCycleSeconds);
+    const double top = wish.forward >= 0.0 ? config_.max_forward : config_.max_backward;
+    const double load = std::hypot(of_top(wish.forward, top),
+                                   of_top(wish.left, config_.max_sideways),
+                                   of_top(wish.turn, config_.max_turn));
+    const double allowed = load > 1.0 ? 1.0 / load : 1.0;
+    const auto follow_one = [&](double& value, double wanted, double acceleration) {
+        value = approach(value, wanted * allowed, acceleration * share_ * kCycleSeconds);
+    };
+    const bool braking =
+        velocity_.forward * (wish.forward * allowed - velocity_.forward) < 0.0;
+    follow_one(velocity_.forward, wish.forward,
+               braking ? config_.braking : config_.forward_acceleration);
+    follow_one(velocity_.left, wish.left, config_.sideways_acceleration);
+    follow_one(velocity_.turn, wish.turn, config_.turn_acceleration);
 }
 
 Walk WalkEngine::steered(const Posture& posture) {

@@ -44,6 +44,7 @@ class WalkEngine {
     Vec3 hips_;          ///< midway between the hips, torso frame
     double leg_length_;  ///< hip to sole, straight
     double scale_;       ///< leg length over type 0's
+    double share_;       ///< of the configured top speeds and accelerations
     Steps steps_;
     Walk velocity_;
     double pitch_error_ = 0.0, roll_error_ = 0.0;            ///< predicted, against the wanted lean

@@ -23,6 +23,8 @@ BodyMotion::BodyMotion(const nao::Model& model, const Config& config)
       right_(model, kinematics::Side::Right),
       left_(model, kinematics::Side::Left),
       walk_(model, config_.walk),
+      kick_(config_.kick),
+      get_up_(config_.getup),
       control_(model) {}
 
 const State& BodyMotion::step(const BodySense& sense, const Request& request,
@@ -40,15 +42,17 @@ const State& BodyMotion::act(const BodySense& sense, const Request& request,
 }
 
 const State& BodyMotion::sense(const BodySense& sense) {
+    time_ = sense.time;
     const Posture& posture = posture_.update(sense);
-    BodyShape shape;
-    shape.parts = kinematics::forward(model_, sense.joints);
-    shape.right_sole = posture.torso * right_.sole(shape.parts).position;
-    shape.left_sole = posture.torso * left_.sole(shape.parts).position;
-    state_.odometry = odometry_.update(sense, shape, posture_.turned());
+    const kinematics::PartPoses parts = kinematics::forward(model_, sense.joints);
+    const Soles soles{posture.torso * right_.sole(parts).position,
+                      posture.torso * left_.sole(parts).position};
+    state_.odometry = odometry_.update(sense, soles, posture_.turned());
+    state_.odometry.position.x() *= config_.odometry_forward;
+    state_.odometry.position.y() *= config_.odometry_sideways;
     state_.torso = posture.torso;
-    state_.torso_height = -std::min(shape.right_sole.z(), shape.left_sole.z());
-    const kinematics::PartPose& head = shape.parts[nao::index(nao::Part::Head)];
+    state_.torso_height = -std::min(soles.right.z(), soles.left.z());
+    const kinematics::PartPose& head = parts[nao::index(nao::Part::Head)];
     state_.camera = posture.torso * head.position + Vec3(0, 0, state_.torso_height);
     state_.camera_rotation = posture.torso * Quat(head.rotation);
     if (!started_) {
@@ -61,23 +65,53 @@ const State& BodyMotion::sense(const BodySense& sense) {
 void BodyMotion::choose(const BodySense& sense, const Request& request) {
     state_.kick_started = false;
     state_.kick_done = false;
-    const bool fallen = posture_.posture().up.z() < std::cos(config_.fallen_tilt);
-    if (fallen && state_.upright) {
-        state_.upright = false;
-        ++state_.falls;
-    }
-    if (!fallen) state_.upright = true;
+    notice_fall();
     if (!state_.upright) {
-        fall(sense);
+        fall_and_get_up(sense);
         return;
     }
+    if (kick(sense, request)) return;
     const Walk* wish = std::get_if<Walk>(&request.body);
     stand_or_walk(sense, wish != nullptr ? *wish : Walk{});
 }
 
-void BodyMotion::fall(const BodySense&) {
+void BodyMotion::notice_fall() {
+    const bool tilted = posture_.posture().up.z() < std::cos(config_.fallen_tilt);
+    if (!tilted || !state_.upright) return;
+    state_.upright = false;
+    ++state_.falls;
+    state_.kick_done = state_.activity == Activity::Kicking;
     state_.activity = Activity::Falling;
+    fell_at_ = time_;
     in_stance_ = false;
+}
+
+void BodyMotion::fall_and_get_up(const BodySense& sense) {
+    if (state_.activity == Activity::Falling) {
+        if (time_ - fell_at_ < config_.fall_s) return;  // the joints hold their pose
+        get_up_.start(stance());
+        state_.activity = Activity::GettingUp;
+    }
+    if (get_up_.step(sense, posture_.posture(), targets_)) return;
+    state_.upright = true;
+    state_.activity = Activity::Standing;
+}
+
+bool BodyMotion::kick(const BodySense& sense, const Request& request) {
+    if (state_.activity != Activity::Kicking) {
+        const Kick* wish = std::get_if<Kick>(&request.body);
+        // A kick starts from the stance; stand_or_walk() brings the robot there first.
+        if (wish == nullptr || !in_stance_ || state_.activity != Activity::Standing) return false;
+        if (!kick::kick_possible(config_.kick, *wish)) return false;
+        kick_.start(*wish, stance());
+        state_.activity = Activity::Kicking;
+        state_.kick_started = true;
+    }
+    if (kick_.step(sense, posture_.posture(), targets_)) return true;
+    state_.kick_done = true;
+    state_.activity = Activity::Standing;
+    in_stance_ = false;
+    return true;
 }
 
 void BodyMotion::stand_or_walk(const BodySense& sense, const Walk& wish) {
@@ -90,9 +124,14 @@ void BodyMotion::stand_or_walk(const BodySense& sense, const Walk& wish) {
     state_.activity = walking ? Activity::Walking : Activity::Standing;
 }
 
-void BodyMotion::take_up_stance() {
+nao::JointArray BodyMotion::stance() const {
     JointTargets stance = targets_;
     walk_.stance(stance);
+    return stance.angle;
+}
+
+void BodyMotion::take_up_stance() {
+    const JointTargets stance{this->stance()};
     // All joints arrive together, so that the soles stay flat on the way down from straight legs.
     double farthest = 0.0;
     for (const nao::JointDef& joint : model_.joints) {

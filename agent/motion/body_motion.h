@@ -6,7 +6,9 @@
 #pragma once
 
 #include "agent/motion/config.h"
+#include "agent/motion/getup/get_up.h"
 #include "agent/motion/joint_control.h"
+#include "agent/motion/kick/kick_engine.h"
 #include "agent/motion/motion.h"
 #include "agent/motion/odometry.h"
 #include "agent/motion/posture.h"
@@ -33,9 +35,12 @@ class BodyMotion {
 
   private:
     void choose(const BodySense& sense, const Request& request);
-    void fall(const BodySense& sense);
+    void notice_fall();
+    void fall_and_get_up(const BodySense& sense);
+    bool kick(const BodySense& sense, const Request& request);
     void stand_or_walk(const BodySense& sense, const Walk& wish);
     void take_up_stance();
+    nao::JointArray stance() const;
 
     const nao::Model& model_;
     const Config config_;
@@ -43,11 +48,15 @@ class BodyMotion {
     PostureFilter posture_;
     Odometry odometry_;
     walk::WalkEngine walk_;
+    kick::KickEngine kick_;
+    getup::GetUp get_up_;
     JointControl control_;
     JointTargets targets_;
     State state_;
     bool in_stance_ = false;  ///< legs have the walk's stance, or the walk has them
     bool started_ = false;
+    double time_ = 0.0;     ///< s, of this cycle
+    double fell_at_ = 0.0;  ///< s, of the running fall
 };
 
 }  // namespace k3d::agent::motion

@@ -3,7 +3,7 @@
 
 namespace k3d::agent::motion {
 
-Pose2 Odometry::update(const BodySense& sense, const BodyShape& shape, double turned) {
+Pose2 Odometry::update(const BodySense& sense, const Soles& soles, double turned) {
     const auto load = [](const std::optional<SoleForce>& sole) {
         return sole ? std::max(sole->force.z(), 0.0) : 0.0;
     };
@@ -19,11 +19,11 @@ Pose2 Odometry::update(const BodySense& sense, const BodyShape& shape, double tu
         const auto moved = [&](const Vec3& was, const Vec3& is) -> Vec2 {
             return was.head<2>() - rotated(is.head<2>(), turned);
         };
-        step.position = (right_share * moved(before_.right_sole, shape.right_sole) +
-                         left_share * moved(before_.left_sole, shape.left_sole)) /
+        step.position = (right_share * moved(before_.right, soles.right) +
+                         left_share * moved(before_.left, soles.left)) /
                         (right_share + left_share);
     }
-    before_ = shape;
+    before_ = soles;
     right_stands_ = right > 0.0;
     left_stands_ = left > 0.0;
     started_ = true;

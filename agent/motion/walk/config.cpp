@@ -16,6 +16,8 @@ void Config::describe(config::Fields& f) {
              "how fast the turning speed may change");
     f.number("braking", braking, {0.05, 20.0}, "m/s^2", "how fast the forward speed may fall to 0");
 
+    f.number("combined", combined, {0.5, 4.0}, "",
+             "exponent p: the shares of the three top speeds keep (a^p + b^p + c^p) <= 1");
     f.number("other_types", other_types, {0.1, 1.0}, "",
              "share of top speeds and accelerations for robot types other than 0, for which the "
              "values are tuned");

@@ -10,28 +10,29 @@ namespace k3d::agent::motion::walk {
 struct Config {
     // Limits of what may be asked.
     double max_forward = 0.85;
-    double max_backward = 0.5;
-    double max_sideways = 0.3;
-    double max_turn = 2.547;
-    double forward_acceleration = 0.8;
-    double sideways_acceleration = 0.6;
-    double turn_acceleration = 6.0;
-    double braking = 1.5;
+    double max_backward = 0.58;
+    double max_sideways = 0.33;
+    double max_turn = 2.6;
+    double forward_acceleration = 1.0;
+    double sideways_acceleration = 0.8;
+    double turn_acceleration = 4.11;
+    double braking = 1.2;
 
     double forward_scale = 1.0;
-    double sideways_scale = 1.0;
+    double sideways_scale = 1.12;
     double turn_scale = 1.0;
     double heading_gain = 3.0;
 
+    double combined = 1.0;
     double other_types = 0.75;
 
     // The step.
     double step_duration = 0.14;
-    double lift_start = 0.04;
+    double lift_start = 0.05184;
     double lift_end = 0.96;
     double step_height = 0.018;
     double step_height_gain = 0.01;
-    double lift_shape = 0.6;
+    double lift_shape = 0.4795;
     double landing_match = 0.0;
     double swing_ease = 0.3491;
 
@@ -42,9 +43,9 @@ struct Config {
     double foot_forward_gain = 0.02;
     double lean = 0.08;
     double lean_gain = 0.05;
-    double sway = 0.005;
-    double sway_phase = 0.0;
-    double toe_up = -0.1;
+    double sway = 0.001278;
+    double sway_phase = -0.1917;
+    double toe_up = -0.1156;
 
     // Balance: which share of the torso's tilt error the legs take up, and the steps.
     double pitch_lead = 0.03;
@@ -52,14 +53,14 @@ struct Config {
     double support_pitch = 0.0;
     double support_roll = 0.0;
     double support_turn_pitch = 0.0;
-    double support_turn_roll = 0.0;
-    double swing_pitch = 0.5;
+    double support_turn_roll = 0.1617;
+    double swing_pitch = 0.5934;
     double swing_roll = 0.5;
     double swing_turn_pitch = 0.8;
-    double swing_turn_roll = 0.5;
-    double step_forward = 0.02;
+    double swing_turn_roll = 0.6392;
+    double step_forward = 0.02172;
     double step_forward_rate = 0.001489;
-    double step_sideways = 0.1;
+    double step_sideways = 0.0616;
     double step_sideways_rate = 0.01;
 
     // The arms.
@@ -67,7 +68,7 @@ struct Config {
     double shoulder_yaw = 0.2;
     double arm_roll = 1.57;
     double elbow = 0.9;
-    double arm_swing = 0.443;
+    double arm_swing = -0.0696;
 
     void describe(config::Fields& f);
 };

@@ -66,6 +66,8 @@ void Steps::move_over_ground(Foot& foot, const Walk& velocity) const {
 void Steps::swing_foot(const Walk& velocity, const Correction& correction) {
     Foot& foot = feet_[static_cast<std::size_t>(swing_)];
     const double air_share = config_.lift_end - config_.lift_start;
+    // The last sample in the air lies short of the landing point and above the ground; from there
+    // the foot is set down moving with the ground. Going all the way scuffs, and was slower.
     const double u = (phase_ - config_.lift_start) / air_share;
     if (u <= 0.0 || u >= 1.0) {
         in_air_ = false;

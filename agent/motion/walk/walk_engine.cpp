@@ -58,14 +58,16 @@ Side WalkEngine::support() const {
 }
 
 void WalkEngine::follow(const Walk& wish) {
-    const auto of_top = [this](double speed, double top) {
-        return speed / std::max(top * share_, 1e-6);
+    const auto of_top = [this](double speed, double limit) {
+        return std::abs(speed) / std::max(limit * share_, 1e-6);
     };
     // All three at their limit at once would be too much for the legs.
     const double top = wish.forward >= 0.0 ? config_.max_forward : config_.max_backward;
-    const double load = std::hypot(of_top(wish.forward, top),
-                                   of_top(wish.left, config_.max_sideways),
-                                   of_top(wish.turn, config_.max_turn));
+    const double p = config_.combined;
+    const double load = std::pow(std::pow(of_top(wish.forward, top), p) +
+                                     std::pow(of_top(wish.left, config_.max_sideways), p) +
+                                     std::pow(of_top(wish.turn, config_.max_turn), p),
+                                 1.0 / p);
     const double allowed = load > 1.0 ? 1.0 / load : 1.0;
     const auto follow_one = [&](double& value, double wanted, double acceleration) {
         value = approach(value, wanted * allowed, acceleration * share_ * kCycleSeconds);

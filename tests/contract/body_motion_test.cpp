@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The body's choice between standing, walking, kicking, falling and getting up.
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "agent/motion/body_motion.h"
+#include "contract/body_rig.h"
+
+namespace k3d::contract {
+namespace {
+
+using agent::motion::Activity;
+using agent::motion::BodyMotion;
+using agent::motion::Config;
+using agent::motion::Kick;
+using agent::motion::Request;
+using agent::motion::State;
+using agent::motion::Walk;
+
+class Falls : public testing::TestWithParam<double> {};
+
+TEST_P(Falls, AreNoticedOnceAndGotUpFrom) {
+    BodyRig rig;
+    BodyMotion motion(rig.model(), Config{});
+    nao::JointArray rates{};
+    std::set<Activity> seen;
+    for (int i = 0; i < 50 * 12; ++i) {
+        const State& state = motion.step(rig.sense(), Request{}, rates);
+        seen.insert(state.activity);
+        if (i >= 50 && i < 70) {  // the ankles tip the robot over, whatever motion wants
+            rates[nao::index(nao::JointId::RAnklePitch)] = GetParam();
+            rates[nao::index(nao::JointId::LAnklePitch)] = GetParam();
+        }
+        rig.advance(rates);
+    }
+    EXPECT_TRUE(seen.contains(Activity::Falling));
+    EXPECT_TRUE(seen.contains(Activity::GettingUp));
+    EXPECT_EQ(motion.state().falls, 1);
+    EXPECT_TRUE(motion.state().upright);
+    EXPECT_EQ(motion.state().activity, Activity::Standing);
+    EXPECT_LT(rig.tilt(), radians(12));
+}
+
+INSTANTIATE_TEST_SUITE_P(BackAndFront, Falls, testing::Values(-2.5, 2.5));
+
+TEST(BodyMotionContract, KicksWhenAskedTellsStartAndEndAndWalksOn) {
+    BodyRig rig;
+    const Config config;
+    BodyMotion motion(rig.model(), config);
+    nao::JointArray rates{};
+    const auto step = [&](const Request& request) {
+        const State& state = motion.step(rig.sense(), request, rates);
+        rig.advance(rates);
+        return state;
+    };
+    for (int i = 0; i < 50; ++i) step({.body = Walk{0.3, 0, 0}, .head = {}});
+    // Put the ball where the right foot reaches it, and ask before the robot stands still.
+    Kick kick;
+    kick.ball = {config.kick.ball_forward, -config.kick.ball_outward};
+    int started = 0;
+    int done = 0;
+    int kicking = 0;
+    for (int i = 0; i < 50 * 5 && done == 0; ++i) {
+        const State state = step({.body = kick, .head = {}});
+        started += state.kick_started;
+        done += state.kick_done;
+        kicking += state.activity == Activity::Kicking;
+        EXPECT_LE(done, started);
+    }
+    EXPECT_EQ(started, 1);
+    EXPECT_EQ(done, 1);
+    EXPECT_GT(kicking, 10);
+    const Pose2 before = rig.pose();
+    for (int i = 0; i < 100; ++i) step({.body = Walk{0.4, 0, 0}, .head = {}});
+    EXPECT_GT((rig.pose().position - before.position).norm(), 0.3);
+    EXPECT_EQ(motion.state().falls, 0);
+}
+
+TEST(BodyMotionContract, AKickOutOfReachIsNotBegun) {
+    BodyRig rig;
+    BodyMotion motion(rig.model(), Config{});
+    nao::JointArray rates{};
+    Kick kick;
+    kick.ball = {2.0, 0.0};
+    for (int i = 0; i < 100; ++i) {
+        const State& state = motion.step(rig.sense(), {.body = kick, .head = {}}, rates);
+        EXPECT_NE(state.activity, Activity::Kicking);
+        rig.advance(rates);
+    }
+    EXPECT_EQ(motion.state().falls, 0);
+}
+
+}  // namespace
+}  // namespace k3d::contract

@@ -27,6 +27,7 @@ struct SkillConfig {
     std::string intercept = "earliest";
 
     double circle_radius = 0.36;
+    double approach_speed = 0.08;
     double kick_tolerance_x = 0.025;
     double kick_tolerance_y = 0.02;
     double kick_tolerance_yaw = 0.12;
@@ -60,6 +61,8 @@ struct SkillConfig {
                "foot: perpendicular foot on the ball's path (paper 4.1); earliest: first point "
                "reached before the ball");
         f.number("circle_radius", circle_radius, {0.2, 1.0}, "m", "path around the ball");
+        f.number("approach_speed", approach_speed, {0.0, 1.0}, "m/s",
+                 "slowest walk on the last centimetres to the stance");
         f.number("kick_tolerance_x", kick_tolerance_x, {0.001, 0.2}, "m",
                  "error of the stance along the kick, at leisure");
         f.number("kick_tolerance_y", kick_tolerance_y, {0.001, 0.2}, "m",

@@ -30,13 +30,15 @@ struct KeeperConfig {
     double claim_memory = 0.6;
     double order_memory = 2.0;
     double fallen_penalty = 2.0;
-    double target_margin = 0.2;
+    double target_margin = 0.5;
+    double commit_margin = 2.0;
     double area_margin = 0.4;
     double stance_margin = 0.12;
     double pressure_far = 2.0;
     double pressure_near = 0.7;
     double panic_distance = 1.0;
     double panic_angle = 0.8;
+    double settle = 0.16;
 
     void describe(config::Fields& f) {
         f.text("policy", policy, {},
@@ -52,8 +54,10 @@ struct KeeperConfig {
                  "how long target and role that K1 said are followed");
         f.number("fallen_penalty", fallen_penalty, {0.0, 10.0}, "m",
                  "distance that lying on the ground counts for");
-        f.number("target_margin", target_margin, {0.0, 1.0}, "",
+        f.number("target_margin", target_margin, {0.0, 100.0}, "",
                  "keep the target while its cost exceeds the best by less than this share");
+        f.number("commit_margin", commit_margin, {0.0, 100.0}, "",
+                 "the same once a taker is within hold_threshold: no time to change one's mind");
         f.number("area_margin", area_margin, {0.0, 2.0}, "m",
                  "keepers walk only to places this far inside the boundary");
         f.number("stance_margin", stance_margin, {0.0, 2.0}, "m",
@@ -65,6 +69,7 @@ struct KeeperConfig {
         f.number("panic_distance", panic_distance, {0.0, 20.0}, "m",
                  "with a taker this near K1 takes only targets that it nearly faces");
         f.number("panic_angle", panic_angle, {0.0, 3.15}, "rad", "what nearly means");
+        f.number("settle", settle, {0.0, 2.0}, "s", "stand this long before a kick");
     }
 };
 

@@ -28,11 +28,12 @@ struct SkillConfig {
 
     double circle_radius = 0.36;
     double approach_speed = 0.08;
-    double kick_tolerance_x = 0.025;
-    double kick_tolerance_y = 0.02;
-    double kick_tolerance_yaw = 0.12;
-    double kick_loosen = 2.0;
-    double kick_loosen_yaw = 4.0;
+    double kick_tolerance_x = 0.015;
+    double kick_tolerance_y = 0.018;
+    double kick_tolerance_yaw = 0.18;
+    double leisure = 1.5;
+    double kick_loosen = 1.4;
+    double kick_loosen_yaw = 2.0;
 
     double look_sweep = 0.6;
     double look_sweep_busy = 0.2;
@@ -73,6 +74,8 @@ struct SkillConfig {
                  "factor on the position tolerances with a taker at the ball");
         f.number("kick_loosen_yaw", kick_loosen_yaw, {1.0, 10.0}, "",
                  "factor on the heading tolerance with a taker at the ball");
+        f.number("leisure", leisure, {1.0, 10.0}, "",
+                 "who stands ready without kicking moves again beyond this many tolerances");
         f.number("look_sweep", look_sweep, {0.0, 1.0}, "rad",
                  "how far the head swings to both sides of the ball");
         f.number("look_sweep_busy", look_sweep_busy, {0.0, 1.0}, "rad", "the same while at the ball");

@@ -48,7 +48,7 @@ motion::BodyRequest position_for_kick(const KickSituation& s, const KickGeometry
     const bool placed = there && error.worst <= (s.committed ? kCommitted : 1.0) && kick.possible(request);
     if (placed && s.may_kick) return request;
     // At leisure a looser stance is left alone: shuffling about next to the ball only moves it.
-    if (!s.may_kick && error.worst <= (s.standing ? 2.5 : 1.0)) return motion::Stand{};
+    if (!s.may_kick && error.worst <= (s.standing ? c.leisure : 0.8)) return motion::Stand{};
 
     const Vec2 from_ball = s.self.position - s.ball;
     const double around = wrap_angle(yaw_of(stance.position - s.ball) - yaw_of(from_ball));

@@ -50,6 +50,7 @@ Decision Keeper::decide(const world::Beliefs& b, const motion::State& body,
     if (!home_)
         home_ = b.self.localised ? b.self.pose.position : birth_place(b.game.unum, settings_.keepaway);
     if (body.kick_started) ++kicks_;
+    if (body.activity != motion::Activity::Standing) walked_ = b.now;
 
     Assignment part = roles_.update(b, reports, settings_.keeper);
     Decision d;
@@ -142,7 +143,11 @@ motion::BodyRequest Keeper::act_k1(const world::Beliefs& b, const motion::State&
     };
     motion::BodyRequest request = possession_.get_skill(input);
     account.skill = possession_.state_name();
-    if (const auto* kick = std::get_if<motion::Kick>(&request)) swing_ = *kick;
+    const auto* kick = std::get_if<motion::Kick>(&request);
+    if (kick == nullptr) return request;
+    swing_ = *kick;
+    // A body that still rocks from its last step kicks the ball weakly or falls.
+    if (b.now - walked_ < c.settle) return motion::Stand{};
     return request;
 }
 
@@ -157,7 +162,9 @@ void Keeper::choose_target(const world::Beliefs& b, Account& account) {
         if (!target_) target_ = grid_[static_cast<std::size_t>(choices_.below(static_cast<int>(grid_.size())))];
     } else {
         const KeeperConfig& c = settings_.keeper;
-        const bool panic = nearest_taker(b, b.ball.position) < c.panic_distance &&
+        const double near = nearest_taker(b, b.ball.position);
+        const double keep = near <= c.hold_threshold ? c.commit_margin : c.target_margin;
+        const bool panic = near < c.panic_distance &&
                            (b.self.pose.position - b.ball.position).norm() < c.panic_distance;
         const Room room = [&](const Vec2& p) {
             const double turn = std::abs(wrap_angle(yaw_of(p - situation.ball) - b.self.pose.yaw));
@@ -165,7 +172,7 @@ void Keeper::choose_target(const world::Beliefs& b, Account& account) {
             return stance_room(p, situation.ball);
         };
         const Target best = best_target(grid_, situation, policy_, settings_.evaluation, room,
-                                        target_, settings_.keeper.target_margin);
+                                        target_, keep);
         target_ = best.point;
         account.cost = best.cost;
     }

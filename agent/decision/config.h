@@ -10,12 +10,12 @@ namespace k3d::agent::decision {
 
 /// The keepaway game as the agent is told about it (paper 2).
 struct KeepawayConfig {
-    double area = 10.0;
+    double side = 10.0;
     int keepers = 3;
     int takers = 2;
 
     void describe(config::Fields& f) {
-        f.number("area", area, {4.0, 20.0}, "m", "side of the square area about the field's centre");
+        f.number("side", side, {4.0, 20.0}, "m", "side of the square area about the field's centre");
         f.integer("keepers", keepers, {1, 11}, "", "keepers in the game");
         f.integer("takers", takers, {0, 11}, "", "takers in the game");
     }
@@ -30,11 +30,15 @@ struct KeeperConfig {
     double claim_memory = 0.6;
     double order_memory = 2.0;
     double fallen_penalty = 2.0;
-    double target_margin = 0.2;
+    double target_margin = 0.5;
+    double commit_margin = 2.0;
     double area_margin = 0.4;
     double stance_margin = 0.12;
     double pressure_far = 2.0;
     double pressure_near = 0.7;
+    double panic_distance = 1.0;
+    double panic_angle = 0.8;
+    double settle = 0.16;
 
     void describe(config::Fields& f) {
         f.text("policy", policy, {},
@@ -50,8 +54,10 @@ struct KeeperConfig {
                  "how long target and role that K1 said are followed");
         f.number("fallen_penalty", fallen_penalty, {0.0, 10.0}, "m",
                  "distance that lying on the ground counts for");
-        f.number("target_margin", target_margin, {0.0, 1.0}, "",
+        f.number("target_margin", target_margin, {0.0, 100.0}, "",
                  "keep the target while its cost exceeds the best by less than this share");
+        f.number("commit_margin", commit_margin, {0.0, 100.0}, "",
+                 "the same once a taker is within hold_threshold: no time to change one's mind");
         f.number("area_margin", area_margin, {0.0, 2.0}, "m",
                  "keepers walk only to places this far inside the boundary");
         f.number("stance_margin", stance_margin, {0.0, 2.0}, "m",
@@ -60,6 +66,10 @@ struct KeeperConfig {
                  "a taker this near to the ball begins to loosen the kick's tolerances");
         f.number("pressure_near", pressure_near, {0.0, 20.0}, "m",
                  "a taker this near loosens them fully");
+        f.number("panic_distance", panic_distance, {0.0, 20.0}, "m",
+                 "with a taker this near K1 takes only targets that it nearly faces");
+        f.number("panic_angle", panic_angle, {0.0, 3.15}, "rad", "what nearly means");
+        f.number("settle", settle, {0.0, 2.0}, "s", "stand this long before a kick");
     }
 };
 
@@ -127,17 +137,17 @@ struct TakerConfig {
 struct PossessionConfig {
     std::string network;
     double at_rest = 0.3;
-    double position_distance = 1.0;
-    double wait_distance = 0.7;
+    double position_distance = 1.5;
+    double wait_distance = 0.4;
     double passing_by_deg = 60.0;
 
     void describe(config::Fields& f) {
         f.text("network", network, {}, "file of the network that chooses; empty: the rules below");
-        f.number("at_rest", at_rest, {0.0, 5.0}, "m", "a ball this near to its finish counts as there");
+        f.number("at_rest", at_rest, {0.0, 5.0}, "m", "a ball this near to its finish has arrived");
         f.number("position_distance", position_distance, {0.2, 5.0}, "m",
-                 "this near to a ball at rest position for the kick");
+                 "this near to the finish position for the kick");
         f.number("wait_distance", wait_distance, {0.0, 5.0}, "m",
-                 "this near to the finish wait for a ball that comes");
+                 "stand still for a ball that comes this near");
         f.number("passing_by_deg", passing_by_deg, {0.0, 180.0}, "deg",
                  "ball and finish seen this far apart: it passes by, intercept it");
     }

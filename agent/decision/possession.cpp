@@ -28,11 +28,13 @@ BodyRequest position(const PossessionInput& in, const skills::SkillConfig& skill
                      const skills::KickGeometry& kick) {
     const skills::KickSituation situation{
         in.beliefs.self.pose,
+        in.beliefs.ball.moving ? in.beliefs.ball.finish : in.beliefs.ball.position,
         in.beliefs.ball.position,
         in.target,
         in.pressure,
         in.may_kick,
         in.body.activity == motion::Activity::Standing,
+        in.committed,
     };
     return skills::position_for_kick(situation, kick, in.robots, skill);
 }
@@ -60,11 +62,11 @@ int choose_by_rules(const std::vector<double>& v, int state, const PossessionCon
     const double ball_finish = v[2];
     const double seen_apart_deg = v[3];
     const bool ball_comes = v[5] < 0.0;
-    // A state once chosen keeps a quarter more room, so that noise does not flip it.
-    const double room = state == kPosition ? 1.25 : 1.0;
-    if (ball_finish < c.at_rest * room)
-        return agent_ball < c.position_distance * room ? kPosition : kGoToFinish;
-    if (agent_finish < c.wait_distance && ball_comes) return kHold;
+    // A ball about to arrive: who steps now steps on it.
+    if (ball_finish > c.at_rest && ball_comes && agent_ball < c.wait_distance) return kHold;
+    // Positioning begins while the ball still rolls, so that no time is lost when it lies. A state
+    // once chosen keeps a quarter more room, so that noise does not flip it.
+    if (agent_finish < c.position_distance * (state == kPosition ? 1.25 : 1.0)) return kPosition;
     const double apart = state == kIntercept ? 0.75 * c.passing_by_deg : c.passing_by_deg;
     if (seen_apart_deg > apart && ball_finish > c.position_distance) return kIntercept;
     return kGoToFinish;

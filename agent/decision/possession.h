@@ -23,6 +23,7 @@ struct PossessionInput {
     Vec2 target = Vec2::Zero();      ///< where the ball shall be kicked
     double pressure = 0.0;           ///< 0..1, see skills::KickSituation
     bool may_kick = false;
+    bool committed = false;          ///< see skills::KickSituation
     double half_area = 1e9;          ///< walk only to places with |x|, |y| below this, m
     std::vector<skills::Obstacle> robots;
 };

@@ -27,11 +27,13 @@ struct SkillConfig {
     std::string intercept = "earliest";
 
     double circle_radius = 0.36;
-    double kick_tolerance_x = 0.025;
-    double kick_tolerance_y = 0.02;
-    double kick_tolerance_yaw = 0.12;
-    double kick_loosen = 2.0;
-    double kick_loosen_yaw = 4.0;
+    double approach_speed = 0.08;
+    double kick_tolerance_x = 0.015;
+    double kick_tolerance_y = 0.018;
+    double kick_tolerance_yaw = 0.18;
+    double leisure = 1.5;
+    double kick_loosen = 1.4;
+    double kick_loosen_yaw = 2.0;
 
     double look_sweep = 0.6;
     double look_sweep_busy = 0.2;
@@ -60,6 +62,8 @@ struct SkillConfig {
                "foot: perpendicular foot on the ball's path (paper 4.1); earliest: first point "
                "reached before the ball");
         f.number("circle_radius", circle_radius, {0.2, 1.0}, "m", "path around the ball");
+        f.number("approach_speed", approach_speed, {0.0, 1.0}, "m/s",
+                 "slowest walk on the last centimetres to the stance");
         f.number("kick_tolerance_x", kick_tolerance_x, {0.001, 0.2}, "m",
                  "error of the stance along the kick, at leisure");
         f.number("kick_tolerance_y", kick_tolerance_y, {0.001, 0.2}, "m",
@@ -70,6 +74,8 @@ struct SkillConfig {
                  "factor on the position tolerances with a taker at the ball");
         f.number("kick_loosen_yaw", kick_loosen_yaw, {1.0, 10.0}, "",
                  "factor on the heading tolerance with a taker at the ball");
+        f.number("leisure", leisure, {1.0, 10.0}, "",
+                 "who stands ready without kicking moves again beyond this many tolerances");
         f.number("look_sweep", look_sweep, {0.0, 1.0}, "rad",
                  "how far the head swings to both sides of the ball");
         f.number("look_sweep_busy", look_sweep_busy, {0.0, 1.0}, "rad", "the same while at the ball");

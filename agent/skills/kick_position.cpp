@@ -10,6 +10,8 @@ namespace {
 
 constexpr double kTouchRadius = 0.24;              // feet reach this far from the torso's centre
 constexpr double kArcStep = radians(50.0);         // way around the ball taken at once
+constexpr double kCommitted = 1.7;                 // more error is let pass once a kick was asked
+constexpr double kAtRest = 0.06;                   // ball counts as come to rest this close
 constexpr double kFreeArc = radians(35.0);         // this far from straight behind needs no detour
 
 /// Does the straight way pass so near the ball that feet would touch it?
@@ -41,11 +43,12 @@ motion::BodyRequest position_for_kick(const KickSituation& s, const KickGeometry
     const Pose2 stance = kick.stand_pose(s.self, s.ball, yaw);
     const StanceError error = stance_error(s.self, stance, s.pressure, c);
 
-    const motion::Kick request{s.self.to_local(s.ball), wrap_angle(yaw - s.self.yaw), shot.norm()};
-    const bool placed = error.worst <= 1.0 && kick.possible(request);
+    const motion::Kick request{s.self.to_local(s.ball_now), wrap_angle(yaw - s.self.yaw), shot.norm()};
+    const bool there = (s.ball_now - s.ball).norm() < kAtRest;
+    const bool placed = there && error.worst <= (s.committed ? kCommitted : 1.0) && kick.possible(request);
     if (placed && s.may_kick) return request;
     // At leisure a looser stance is left alone: shuffling about next to the ball only moves it.
-    if (!s.may_kick && error.worst <= (s.standing ? 2.5 : 1.0)) return motion::Stand{};
+    if (!s.may_kick && error.worst <= (s.standing ? c.leisure : 0.8)) return motion::Stand{};
 
     const Vec2 from_ball = s.self.position - s.ball;
     const double around = wrap_angle(yaw_of(stance.position - s.ball) - yaw_of(from_ball));
@@ -60,7 +63,14 @@ motion::BodyRequest position_for_kick(const KickSituation& s, const KickGeometry
         const Vec2 back = s.ball + (stance.position - s.ball).normalized() * c.circle_radius;
         return walk_to(s.self, {back, yaw}, robots, c);
     }
-    return walk_to(s.self, stance, robots, c);
+    motion::Walk walk = walk_to(s.self, stance, robots, c);
+    // The last centimetres at a speed that steps can make, or they take for ever.
+    const double speed = std::hypot(walk.forward, walk.left);
+    if (speed > 1e-6 && speed < c.approach_speed && error.worst > 1.0) {
+        walk.forward *= c.approach_speed / speed;
+        walk.left *= c.approach_speed / speed;
+    }
+    return walk;
 }
 
 }  // namespace k3d::agent::skills

@@ -24,11 +24,13 @@ struct KickGeometry {
 
 struct KickSituation {
     Pose2 self;         ///< team frame
-    Vec2 ball;
+    Vec2 ball;          ///< where it lies or will come to rest
+    Vec2 ball_now;      ///< where it is; kicked only when it has come to `ball`
     Vec2 target;
     double pressure = 0.0;   ///< 0 = nobody near, 1 = a taker at the ball: then be less choosy
     bool may_kick = false;   ///< else stand ready at the ball
     bool standing = false;   ///< the robot does not walk at the moment
+    bool committed = false;  ///< a kick was asked for the cycle before; the robot comes to a stop
 };
 
 /// Error of a stance in the stance's own frame, as multiples of the tolerances at this pressure.

@@ -33,7 +33,7 @@ Vec2 inside(const Vec2& point, double half) {
 
 Vec2 birth_place(int unum, const KeepawayConfig& c) {
     const double angle = kPi / 2.0 + 2.0 * kPi * (unum - 1) / c.keepers;
-    return direction(angle) * (0.25 * c.area);
+    return direction(angle) * (0.25 * c.side);
 }
 
 Keeper::Keeper(const KeeperSettings& settings, Policy policy, const skills::KickGeometry& kick,
@@ -42,7 +42,7 @@ Keeper::Keeper(const KeeperSettings& settings, Policy policy, const skills::Kick
       policy_(std::move(policy)),
       kick_(kick),
       choices_(choices),
-      grid_(target_grid(settings.keepaway.area, settings.evaluation)),
+      grid_(target_grid(settings.keepaway.side, settings.evaluation)),
       possession_(make_possession(settings.possession, settings.skills, kick)) {}
 
 Decision Keeper::decide(const world::Beliefs& b, const motion::State& body,
@@ -50,6 +50,7 @@ Decision Keeper::decide(const world::Beliefs& b, const motion::State& body,
     if (!home_)
         home_ = b.self.localised ? b.self.pose.position : birth_place(b.game.unum, settings_.keepaway);
     if (body.kick_started) ++kicks_;
+    if (body.activity != motion::Activity::Standing) walked_ = b.now;
 
     Assignment part = roles_.update(b, reports, settings_.keeper);
     Decision d;
@@ -91,6 +92,7 @@ motion::BodyRequest Keeper::act(const world::Beliefs& b, const motion::State& bo
         account.target = target_;
         return *swing_;
     }
+    const bool committed = swing_.has_value();
     swing_.reset();
     if (policy_.kind == Policy::Kind::Still) {
         account.skill = "still";
@@ -109,7 +111,7 @@ motion::BodyRequest Keeper::act(const world::Beliefs& b, const motion::State& bo
         return motion::Stand{};
     }
     switch (part.role) {
-        case Role::K1: return act_k1(b, body, account);
+        case Role::K1: return act_k1(b, body, committed, account);
         case Role::K2:
             account.skill = "go_to_target";
             account.target = part.target;
@@ -122,7 +124,7 @@ motion::BodyRequest Keeper::act(const world::Beliefs& b, const motion::State& bo
 }
 
 motion::BodyRequest Keeper::act_k1(const world::Beliefs& b, const motion::State& body,
-                                   Account& account) {
+                                   bool committed, Account& account) {
     choose_target(b, account);
     const KeeperConfig& c = settings_.keeper;
     const double near = nearest_taker(b, b.ball.position);
@@ -135,12 +137,17 @@ motion::BodyRequest Keeper::act_k1(const world::Beliefs& b, const motion::State&
         .pressure = pressure,
         // HOLD or kick: the one fixed decision of paper 5.1.
         .may_kick = near <= c.hold_threshold && policy_.kind != Policy::Kind::Hold,
-        .half_area = settings_.keepaway.area / 2.0 - c.stance_margin,
+        .committed = committed,
+        .half_area = settings_.keepaway.side / 2.0 - c.stance_margin,
         .robots = robots_of(b, settings_.skills.robot_clearance),
     };
     motion::BodyRequest request = possession_.get_skill(input);
     account.skill = possession_.state_name();
-    if (const auto* kick = std::get_if<motion::Kick>(&request)) swing_ = *kick;
+    const auto* kick = std::get_if<motion::Kick>(&request);
+    if (kick == nullptr) return request;
+    swing_ = *kick;
+    // A body that still rocks from its last step kicks the ball weakly or falls.
+    if (b.now - walked_ < c.settle) return motion::Stand{};
     return request;
 }
 
@@ -154,9 +161,18 @@ void Keeper::choose_target(const world::Beliefs& b, Account& account) {
     if (policy_.kind == Policy::Kind::Random) {
         if (!target_) target_ = grid_[static_cast<std::size_t>(choices_.below(static_cast<int>(grid_.size())))];
     } else {
-        const Room room = [&](const Vec2& p) { return stance_room(p, situation.ball); };
+        const KeeperConfig& c = settings_.keeper;
+        const double near = nearest_taker(b, b.ball.position);
+        const double keep = near <= c.hold_threshold ? c.commit_margin : c.target_margin;
+        const bool panic = near < c.panic_distance &&
+                           (b.self.pose.position - b.ball.position).norm() < c.panic_distance;
+        const Room room = [&](const Vec2& p) {
+            const double turn = std::abs(wrap_angle(yaw_of(p - situation.ball) - b.self.pose.yaw));
+            if (panic && turn > c.panic_angle) return c.panic_angle - turn;
+            return stance_room(p, situation.ball);
+        };
         const Target best = best_target(grid_, situation, policy_, settings_.evaluation, room,
-                                        target_, settings_.keeper.target_margin);
+                                        target_, keep);
         target_ = best.point;
         account.cost = best.cost;
     }
@@ -168,14 +184,14 @@ void Keeper::choose_target(const world::Beliefs& b, Account& account) {
 double Keeper::stance_room(const Vec2& target, const Vec2& ball) const {
     const double yaw = yaw_of(target - ball);
     const Pose2 stance = kick_.stand_pose({ball, yaw}, ball, yaw);
-    const double half = settings_.keepaway.area / 2.0 - settings_.keeper.stance_margin;
+    const double half = settings_.keepaway.side / 2.0 - settings_.keeper.stance_margin;
     return half - stance.position.cwiseAbs().maxCoeff();
 }
 
 motion::BodyRequest Keeper::walk_and_watch(const world::Beliefs& b, const Vec2& place) {
     std::vector<skills::Obstacle> obstacles = robots_of(b, settings_.skills.robot_clearance);
     if (b.ball.known) obstacles.push_back({b.ball.position, settings_.skills.ball_clearance});
-    const double half = settings_.keepaway.area / 2.0 - settings_.keeper.area_margin;
+    const double half = settings_.keepaway.side / 2.0 - settings_.keeper.area_margin;
     const Vec2 goal = inside(place, half);
     const double yaw = yaw_of(b.ball.position - b.self.pose.position);
     return go_to_.step(b.self.pose, {goal, yaw}, obstacles, settings_.skills);

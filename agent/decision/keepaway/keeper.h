@@ -47,7 +47,7 @@ class Keeper {
     motion::BodyRequest act(const world::Beliefs& beliefs, const motion::State& body,
                             const Assignment& part, Account& account);
     motion::BodyRequest act_k1(const world::Beliefs& beliefs, const motion::State& body,
-                               Account& account);
+                               bool committed, Account& account);
     void choose_target(const world::Beliefs& beliefs, Account& account);
     double stance_room(const Vec2& target, const Vec2& ball) const;
     motion::BodyRequest walk_and_watch(const world::Beliefs& beliefs, const Vec2& place);
@@ -62,7 +62,8 @@ class Keeper {
     skills::GoTo go_to_;
     std::optional<Vec2> home_;        ///< where this keeper was born
     std::optional<Vec2> target_;      ///< while K1
-    std::optional<motion::Kick> swing_;  ///< the kick under way
+    std::optional<motion::Kick> swing_;  ///< the kick asked for last or under way
+    double walked_ = -1e9;               ///< when the robot last did anything but stand
     int k2_ = 0;
     int kicks_ = 0;
     bool was_k1_ = false;

@@ -37,10 +37,13 @@ TEST(Possession, Rules) {
     };
     EXPECT_EQ(choose({3.0, 3.0, 0.0, 0.0, 0.0, 0.0}), kGoToFinish);     // at rest, far
     EXPECT_EQ(choose({0.6, 0.6, 0.0, 0.0, 0.0, 0.0}), kPosition);       // at rest, near
-    EXPECT_EQ(choose({4.0, 0.3, 4.0, 10.0, 0.0, -1.0}), kHold);         // comes here
+    EXPECT_EQ(choose({4.0, 0.6, 4.0, 10.0, 0.0, -1.0}), kPosition);     // will come to rest here
+    EXPECT_EQ(choose({0.3, 0.6, 0.9, 10.0, 0.0, -1.0}), kHold);         // arrives at the feet
+    EXPECT_EQ(choose({0.3, 0.6, 0.9, 10.0, 0.0, 1.0}), kPosition);      // has passed
     EXPECT_EQ(choose({2.0, 3.0, 4.0, 110.0, 0.0, -1.0}), kIntercept);   // passes by
     EXPECT_EQ(choose({4.0, 2.0, 2.5, 20.0, 0.0, -1.0}), kGoToFinish);   // stops short of here
-    EXPECT_EQ(choose({1.1, 1.1, 0.0, 0.0, 0.0, 0.0}, kPosition), kPosition);  // room for noise
+    EXPECT_EQ(choose({1.6, 1.6, 0.0, 0.0, 0.0, 0.0}, kPosition), kPosition);  // room for noise
+    EXPECT_EQ(choose({1.6, 1.6, 0.0, 0.0, 0.0, 0.0}), kGoToFinish);
 }
 
 TEST(Possession, GoesFromFinishToPosition) {

@@ -20,7 +20,7 @@ TEST(KickPosition, ReachesTheStanceFromEverywhereWithoutTouchingTheBall) {
             Pose2 self{direction(start * kPi / 6.0) * 0.9, yaw};
             bool kicked = false;
             for (int i = 0; i < 1000 && !kicked; ++i) {
-                const KickSituation s{self, ball, {5.0, 0.0}, 0.0, true, false};
+    const KickSituation s{self, ball, ball, {5.0, 0.0}, 0.0, true, false, false};
                 const motion::BodyRequest r = position_for_kick(s, kKick, {}, kConfig);
                 kicked = decision::test::is_kick(r);
                 if (const auto* w = std::get_if<motion::Walk>(&r))
@@ -33,12 +33,12 @@ TEST(KickPosition, ReachesTheStanceFromEverywhereWithoutTouchingTheBall) {
 }
 
 TEST(KickPosition, StandsReadyWhenItMayNotKick) {
-    const KickSituation s{{{-0.2, 0.0}, 0.0}, {0.0, 0.0}, {5.0, 0.0}, 0.0, false, true};
+    const KickSituation s{{{-0.2, 0.0}, 0.0}, {0.0, 0.0}, {0.0, 0.0}, {5.0, 0.0}, 0.0, false, true, false};
     EXPECT_TRUE(decision::test::is_stand(position_for_kick(s, kKick, {}, kConfig)));
 }
 
 TEST(KickPosition, PressureLoosensTheTolerances) {
-    KickSituation s{{{-0.2, 0.03}, 0.2}, {0.0, 0.0}, {5.0, 0.0}, 0.0, true, false};
+    KickSituation s{{{-0.2, 0.03}, 0.2}, {0.0, 0.0}, {0.0, 0.0}, {5.0, 0.0}, 0.0, true, false, false};
     EXPECT_TRUE(decision::test::is_walk(position_for_kick(s, kKick, {}, kConfig)));
     s.pressure = 1.0;
     EXPECT_TRUE(decision::test::is_kick(position_for_kick(s, kKick, {}, kConfig)));
@@ -47,8 +47,15 @@ TEST(KickPosition, PressureLoosensTheTolerances) {
 TEST(KickPosition, KicksOnlyWhatTheEngineCanReach) {
     KickGeometry unable = kKick;
     unable.possible = [](const motion::Kick&) { return false; };
-    const KickSituation s{{{-0.2, 0.0}, 0.0}, {0.0, 0.0}, {5.0, 0.0}, 0.0, true, false};
+    const KickSituation s{{{-0.2, 0.0}, 0.0}, {0.0, 0.0}, {0.0, 0.0}, {5.0, 0.0}, 0.0, true, false, false};
     EXPECT_FALSE(decision::test::is_kick(position_for_kick(s, unable, {}, kConfig)));
+}
+
+TEST(KickPosition, WaitsInTheStanceForARollingBall) {
+    KickSituation s{{{-0.2, 0.0}, 0.0}, {0.0, 0.0}, {-0.1, 0.15}, {5.0, 0.0}, 0.0, true, false, false};
+    EXPECT_FALSE(decision::test::is_kick(position_for_kick(s, kKick, {}, kConfig)));
+    s.ball_now = {0.01, 0.0};
+    EXPECT_TRUE(decision::test::is_kick(position_for_kick(s, kKick, {}, kConfig)));
 }
 
 TEST(StanceError, InTheStancesFrameAndScaled) {

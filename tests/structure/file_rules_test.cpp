@@ -84,6 +84,23 @@ TEST(FileRules, FunctionsAreShort) {
     }
 }
 
+/// Read one function of each of these files, and you know the program.
+const std::vector<std::string> kFlowFiles = {"server/cycle.cpp", "agent/think.cpp",
+                                             "optimizer/daemon.cpp"};
+
+TEST(FileRules, FlowFilesShowTheFlow) {
+    for (const std::string& path : kFlowFiles) {
+        const auto file = std::find_if(source_tree().begin(), source_tree().end(),
+                                       [&path](const SourceFile& f) { return f.path == path; });
+        ASSERT_NE(file, source_tree().end()) << path << " is missing";
+        const std::vector<Function> functions = functions_of(*file);
+        EXPECT_FALSE(functions.empty()) << path << " holds no function";
+        for (const Function& function : functions) {
+            EXPECT_LT(function.length, kMaxFunctionLines) << path << ":" << function.line;
+        }
+    }
+}
+
 TEST(FileRules, NoPathOfOneMachine) {
     const std::regex path(R"((^|[^A-Za-z0-9_.\-])/(work|home)/)");
     ASSERT_TRUE(std::regex_search(std::string("see /") + "work/file", path));

@@ -28,57 +28,17 @@ const char* name_of(Role role) {
 Assignment RoleKeeper::update(const world::Beliefs& b, std::span<const talk::Report> reports,
                               const KeeperConfig& c) {
     const int me = b.game.unum;
-    if (!b.ball.known) {
-        // Who does not know the ball cannot judge; it may still follow K1's words.
-        if (k1_ == me) k1_ = 0;
-    } else {
-        std::vector<Candidate> candidates;
-        const auto add = [&](int unum, const Vec2& position, bool fallen, bool claims) {
-            const double distance = (position - b.ball.finish).norm() +
-                                    (fallen ? c.fallen_penalty : 0.0) -
-                                    (unum == k1_ ? c.role_hysteresis : 0.0);
-            candidates.push_back({unum, distance, claims});
-        };
-        add(me, b.self.pose.position, !b.self.upright, k1_ == me);
-        for (const world::Player& mate : b.mates) {
-            const bool claims = std::any_of(reports.begin(), reports.end(), [&](const auto& r) {
-                return r.message.unum == mate.unum && r.message.claims_k1 &&
-                       b.now - r.heard <= c.claim_memory;
-            });
-            add(mate.unum, mate.position, mate.fallen, claims);
-        }
-        const auto before = [](const Candidate& x, const Candidate& y) {
-            return x.distance != y.distance ? x.distance < y.distance : x.unum < y.unum;
-        };
-        const Candidate nearest = *std::min_element(candidates.begin(), candidates.end(), before);
-        // Our own claim counts only against another's: alone we judge by distance.
-        const bool others_claim = std::any_of(candidates.begin() + 1, candidates.end(),
-                                              [](const Candidate& x) { return x.claims; });
-        int claimer = 0;
-        for (const Candidate& x : candidates)
-            if (others_claim && x.claims && x.distance <= nearest.distance + c.tie_margin &&
-                (claimer == 0 || x.unum < claimer))
-                claimer = x.unum;
-        k1_ = claimer != 0 ? claimer : nearest.unum;
-
-        // Two keepers may each take the other for K1. Who is as near as the one it waits for, and
-        // hears it speak without a claim, begins.
-        if (k1_ != me && claimer == 0) {
-            const bool silent_rival = std::any_of(reports.begin(), reports.end(), [&](const auto& r) {
-                return r.message.unum == k1_ && !r.message.claims_k1 &&
-                       b.now - r.heard <= c.claim_memory;
-            });
-            if (silent_rival && candidates.front().distance <= nearest.distance + c.tie_margin)
-                k1_ = me;
-        }
-    }
+    if (b.ball.known)
+        k1_ = judge(b, reports, c);
+    else if (k1_ == me)
+        k1_ = 0;  // who does not know the ball cannot be K1; it may still follow K1's words
 
     Assignment result{Role::K3, k1_, std::nullopt};
     if (k1_ == me && me != 0) {
         result.role = Role::K1;
         return result;
     }
-    // The word of whoever claims K1 last gives the role, even if we would have judged otherwise.
+    // The word of whoever claimed K1 last gives the role, even if we would have judged otherwise.
     const talk::Report* order = nullptr;
     for (const talk::Report& r : reports)
         if (r.message.claims_k1 && b.now - r.heard <= c.order_memory &&
@@ -89,6 +49,46 @@ Assignment RoleKeeper::update(const world::Beliefs& b, std::span<const talk::Rep
         result.target = order->message.target;
     }
     return result;
+}
+
+int RoleKeeper::judge(const world::Beliefs& b, std::span<const talk::Report> reports,
+                      const KeeperConfig& c) const {
+    const auto says = [&](int unum, bool claims) {
+        return std::any_of(reports.begin(), reports.end(), [&](const talk::Report& r) {
+            return r.message.unum == unum && r.message.claims_k1 == claims &&
+                   b.now - r.heard <= c.claim_memory;
+        });
+    };
+    std::vector<Candidate> candidates;
+    const auto add = [&](int unum, const Vec2& position, bool fallen, bool claims) {
+        const double distance = (position - b.ball.finish).norm() +
+                                (fallen ? c.fallen_penalty : 0.0) -
+                                (unum == k1_ ? c.role_hysteresis : 0.0);
+        candidates.push_back({unum, distance, claims});
+    };
+    const int me = b.game.unum;
+    add(me, b.self.pose.position, !b.self.upright, k1_ == me);
+    for (const world::Player& mate : b.mates)
+        add(mate.unum, mate.position, mate.fallen, says(mate.unum, true));
+
+    const Candidate nearest = *std::min_element(
+        candidates.begin(), candidates.end(), [](const Candidate& x, const Candidate& y) {
+            return x.distance != y.distance ? x.distance < y.distance : x.unum < y.unum;
+        });
+    const double tie = nearest.distance + c.tie_margin;
+    // Our own claim counts only against another's: alone we judge by distance.
+    const bool others_claim = std::any_of(candidates.begin() + 1, candidates.end(),
+                                          [](const Candidate& x) { return x.claims; });
+    int claimer = 0;
+    for (const Candidate& x : candidates)
+        if (others_claim && x.claims && x.distance <= tie && (claimer == 0 || x.unum < claimer))
+            claimer = x.unum;
+    if (claimer != 0) return claimer;
+
+    // Two keepers may each take the other for K1. Who is as near as the one it waits for, and hears
+    // it speak without a claim, begins.
+    const bool waits_in_vain = nearest.unum != me && says(nearest.unum, false);
+    return waits_in_vain && candidates.front().distance <= tie ? me : nearest.unum;
 }
 
 int choose_k2(const Vec2& target, const std::vector<world::Player>& mates, int before,

@@ -32,6 +32,9 @@ class RoleKeeper {
                       const KeeperConfig& config);
 
   private:
+    int judge(const world::Beliefs& beliefs, std::span<const talk::Report> reports,
+              const KeeperConfig& config) const;
+
     int k1_ = 0;
 };
 

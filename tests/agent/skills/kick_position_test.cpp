@@ -38,7 +38,7 @@ TEST(KickPosition, StandsReadyWhenItMayNotKick) {
 }
 
 TEST(KickPosition, PressureLoosensTheTolerances) {
-    KickSituation s{{{-0.2, 0.03}, 0.2}, {0.0, 0.0}, {0.0, 0.0}, {5.0, 0.0}, 0.0, true, false, false};
+    KickSituation s{{{-0.2, 1.2 * kConfig.kick_tolerance_y}, 1.5 * kConfig.kick_tolerance_yaw}, {0.0, 0.0}, {0.0, 0.0}, {5.0, 0.0}, 0.0, true, false, false};
     EXPECT_TRUE(decision::test::is_walk(position_for_kick(s, kKick, {}, kConfig)));
     s.pressure = 1.0;
     EXPECT_TRUE(decision::test::is_kick(position_for_kick(s, kKick, {}, kConfig)));

@@ -55,8 +55,9 @@ class BodyMotion {
     State state_;
     bool in_stance_ = false;  ///< legs have the walk's stance, or the walk has them
     bool started_ = false;
-    double time_ = 0.0;     ///< s, of this cycle
-    double fell_at_ = 0.0;  ///< s, of the running fall
+    double time_ = 0.0;         ///< s, of this cycle
+    double stood_since_ = 0.0;  ///< s, start of the running time in the stance
+    double fell_at_ = 0.0;      ///< s, of the running fall
 };
 
 }  // namespace k3d::agent::motion

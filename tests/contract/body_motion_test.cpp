@@ -55,9 +55,12 @@ TEST(BodyMotionContract, KicksWhenAskedTellsStartAndEndAndWalksOn) {
         return state;
     };
     for (int i = 0; i < 50; ++i) step({.body = Walk{0.3, 0, 0}, .head = {}});
-    // Put the ball where the right foot reaches it, and ask before the robot stands still.
+    for (int i = 0; i < 50; ++i) step({});
+    // Put the ball where the right foot reaches it.
     Kick kick;
     kick.ball = {config.kick.ball_forward, -config.kick.ball_outward};
+    const Vec2 ball = rig.pose().to_global(kick.ball);
+    rig.ball().move({ball.x(), ball.y(), 0.0403});
     int started = 0;
     int done = 0;
     int kicking = 0;
@@ -72,9 +75,32 @@ TEST(BodyMotionContract, KicksWhenAskedTellsStartAndEndAndWalksOn) {
     EXPECT_EQ(done, 1);
     EXPECT_GT(kicking, 10);
     const Pose2 before = rig.pose();
-    for (int i = 0; i < 100; ++i) step({.body = Walk{0.4, 0, 0}, .head = {}});
+    for (int i = 0; i < 100; ++i) step({.body = Walk{-0.4, 0, 0}, .head = {}});
     EXPECT_GT((rig.pose().position - before.position).norm(), 0.3);
+    EXPECT_GT((rig.ball().position().head<2>() - ball).norm(), 2.5);
     EXPECT_EQ(motion.state().falls, 0);
+}
+
+TEST(BodyMotionContract, AKickAskedForInTheWalkWaitsForQuietStanding) {
+    BodyRig rig;
+    const Config config;
+    BodyMotion motion(rig.model(), config);
+    nao::JointArray rates{};
+    Kick kick;
+    kick.ball = {config.kick.ball_forward, -config.kick.ball_outward};
+    double last_walked = 0.0;
+    double kicked = 0.0;
+    for (int i = 0; i < 50 * 6 && kicked == 0.0; ++i) {
+        Request request;
+        if (i < 100) request.body = Walk{0.3, 0, 0};
+        if (i >= 100) request.body = kick;
+        const State& state = motion.step(rig.sense(), request, rates);
+        if (state.activity == Activity::Walking) last_walked = rig.time();
+        if (state.kick_started) kicked = rig.time();
+        rig.advance(rates);
+    }
+    EXPECT_GT(last_walked, 2.0);
+    EXPECT_GE(kicked, last_walked + config.kick_settle_s - 1e-9);
 }
 
 TEST(BodyMotionContract, AKickOutOfReachIsNotBegun) {

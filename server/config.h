@@ -47,6 +47,7 @@ struct Config {
     std::string game = "soccer";
     std::uint64_t seed = 1;
     int episodes = 1;
+    int first_episode = 1;
     std::string left_team;
     std::string right_team;
     NetworkConfig network;
@@ -60,6 +61,8 @@ struct Config {
         f.text("game", game, {"soccer", "keepaway"}, "rules in force");
         f.seed("seed", seed, "of all random streams; episode k of a process uses seed + k - 1");
         f.integer("episodes", episodes, {1, 1000000}, "", "keepaway episodes before the server ends");
+        f.integer("first_episode", first_episode, {1, 1000000000}, "",
+                  "number that the page shows for this process's first episode");
         f.text("left_team", left_team, {}, "name reserved for the left side; empty: first come");
         f.text("right_team", right_team, {}, "name reserved for the right side; empty: second come");
         f.section("network", network);

@@ -78,7 +78,6 @@ class Simulation {
     session::Monitors monitors_;
     std::optional<viewer::Viewer> viewer_;
     viewer::SceneView view_;
-    net::Clock::time_point next_view_;
 
     std::unique_ptr<body::Scene> scene_;
     game::Game game_;

@@ -4,15 +4,8 @@
 
 namespace k3d::server {
 
-namespace {
-constexpr std::chrono::milliseconds kViewInterval{40};  // 25 scenes a second of wall time
-}
-
 void Simulation::show() {
     if (!viewer_ || !viewer_->watched()) return;
-    const auto now = net::Clock::now();
-    if (now < next_view_) return;
-    next_view_ = now + kViewInterval;
     const game::GameState& state = game::state(game_);
     view_.time = clock_.seconds();
     view_.game_time = state.time;
@@ -21,7 +14,7 @@ void Simulation::show() {
     view_.team_right = teams_.right();
     view_.score_left = state.score_left;
     view_.score_right = state.score_right;
-    view_.episode = episode_;
+    view_.episode = config_.first_episode + episode_ - 1;
     view_.ball = {scene_->ball.position(), scene_->ball.rotation()};
     view_.area.reset();
     if (config_.game == "keepaway") view_.area = Vec2::Constant(config_.keepaway.side);

@@ -87,7 +87,10 @@ std::vector<std::string> server_command(const spec::MatchSpec& spec, const Task&
                                    fmt::format("{}", spec.hung_agent_s),
                                    "--results",
                                    result_file(folder)};
-    if (http_port >= 0) add(words, "--http", std::to_string(http_port));
+    if (http_port >= 0) {
+        add(words, "--http", std::to_string(http_port));
+        add(words, "--set", fmt::format("first_episode={}", task.index + 1));
+    }
     add(words, "--config", spec.server_config);
     add_all(words, spec::parse_settings(spec.settings).server);
     return words;

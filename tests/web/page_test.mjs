@@ -2,6 +2,7 @@
 // Looks at the page in a real browser: robots and ball are drawn, they move, nothing complains.
 // usage: node page_test.mjs --demo PROGRAM --out FOLDER       starts viewer_demo, and ends it and
 //                                                             starts it again under the open page
+//        node page_test.mjs --match OPTIMIZER --out FOLDER    plays a real match and looks at it
 //        node page_test.mjs --url URL --out FOLDER            looks at a match that runs elsewhere
 //   --robots N    how many there must be (5)
 //   --moving N    how many of them must move (all; in a real match some may stand)
@@ -22,6 +23,7 @@ const string = {
 const {values: option} = parseArgs({
   options: {
     demo: string,
+    match: string,
     url: string,
     out: string,
     robots: string,
@@ -148,6 +150,20 @@ function startDemo(port, episode) {
   });
   return {ready, end: () => (child.kill("SIGKILL"), ended)};
 }
+/** A real match: server and five agents, played as fast as they can be watched. */
+function startMatch() {
+  const flags = ["match", "--pace", "sync", "--http", "0", "--episodes", "100", "--seed", "1"];
+  const child = spawn(option.match, flags, {stdio: ["ignore", "pipe", "inherit"]});
+  const ended = new Promise((resolve) => child.on("exit", resolve).on("error", resolve));
+  const ready = new Promise((resolve, reject) => {
+    createInterface(child.stdout).on("line", (line) => {
+      const found = /^page: http:\/\/127\.0\.0\.1:(\d+)\/$/.exec(line);
+      if (found) resolve(Number(found[1]));
+    });
+    ended.then((why) => reject(new Error(`${option.match} ended: ${why}`)));
+  });
+  return {ready, end: () => (child.kill("SIGINT"), ended)};
+}
 const webFolder = () => join(option.demo, "..", "..", "web");
 
 /** The next episode is a new server on the same port: an open page says so and goes on. */
@@ -173,19 +189,21 @@ async function checkRestart(page, demo, port) {
 }
 
 async function main() {
-  if (!option.demo === !option.url) throw new Error("give one of --demo and --url");
+  if ([option.demo, option.match, option.url].filter(Boolean).length !== 1)
+    throw new Error("give one of --demo, --match and --url");
   mkdirSync(out, {recursive: true});
   const demo = option.demo ? startDemo(0, 0) : null;
+  const shown = demo ?? (option.match ? startMatch() : null);
   let page = null;
   try {
-    const port = await demo?.ready;
+    const port = await shown?.ready;
     page = await openPage(
       option.chromium ?? "/usr/bin/chromium", option.url ?? `http://127.0.0.1:${port}/`);
     await checkScene(page);
     if (demo) await checkRestart(page, demo, port);
   } finally {
     await page?.close();
-    await demo?.end();
+    await shown?.end();
   }
 }
 

@@ -84,6 +84,7 @@ void BodyMotion::notice_fall() {
     state_.activity = Activity::Falling;
     fell_at_ = time_;
     in_stance_ = false;
+    walk_.abandon();
 }
 
 void BodyMotion::fall_and_get_up(const BodySense& sense) {

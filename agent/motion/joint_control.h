@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Joint angles wanted -> joint speeds to send, with the wire's latency compensated exactly.
 //
-// The percept of cycle n is answered by a command that drives step n + 2, while step n + 1 runs with
-// the command before. Motors hold their speed exactly (reference 5.2), so the angle after step
-// n + 1 is the measured one plus the command before times the cycle. Radians, rad/s.
+// The percept of cycle n is answered by a command that drives step n + 2, while step n + 1 runs
+// with the command before. Motors hold their speed exactly (reference 5.2), so the angle after
+// step n + 1 is the measured one plus the command before times the cycle. Radians, rad/s.
 #pragma once
 
 #include "agent/motion/joint_targets.h"

@@ -44,6 +44,23 @@ TEST_P(Falls, AreNoticedOnceAndGotUpFrom) {
 
 INSTANTIATE_TEST_SUITE_P(BackAndFront, Falls, testing::Values(-2.5, 2.5));
 
+TEST(BodyMotionContract, WalksOnAfterAFallInTheMiddleOfAWalk) {
+    BodyRig rig;
+    BodyMotion motion(rig.model(), Config{});
+    nao::JointArray rates{};
+    const Request request{.body = Walk{0.5, 0, 0.3}, .head = {}};
+    for (int i = 0; i < 50 * 15; ++i) {
+        motion.step(rig.sense(), request, rates);
+        if (i >= 150 && i < 170) {
+            rates[nao::index(nao::JointId::RHipPitch)] = 4.0;
+            rates[nao::index(nao::JointId::LHipPitch)] = 4.0;
+        }
+        rig.advance(rates);
+    }
+    EXPECT_EQ(motion.state().falls, 1);
+    EXPECT_EQ(motion.state().activity, Activity::Walking);
+}
+
 TEST(BodyMotionContract, KicksWhenAskedTellsStartAndEndAndWalksOn) {
     BodyRig rig;
     const Config config;

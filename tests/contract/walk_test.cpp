@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The body in the server's physics: it stands, walks in every direction, stops, changes its mind and
-// does not fall; and what it tells about itself is true.
+// The body in the server's physics: it stands, walks in every direction, stops, changes its mind
+// and does not fall; and what it tells about itself is true.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -42,7 +42,8 @@ void Config::describe(config::Fields& f) {
     f.number("swing_ease", swing_ease, {0.0, 1.5}, "",
              "0 swings the foot at constant speed, 1 starts and ends its way at rest");
 
-    f.number("crouch", crouch, {0.005, 0.12}, "m", "how much lower than straight legs the hips are");
+    f.number("crouch", crouch, {0.005, 0.12}, "m",
+             "how much lower the hips are than on straight legs");
     f.number("spread", spread, {-0.02, 0.05}, "m", "how much wider than the hips a foot stands");
     f.number("foot_forward", foot_forward, {-0.06, 0.06}, "m", "feet ahead of the hips");
     f.number("foot_forward_gain", foot_forward_gain, {-0.1, 0.1}, "s",

@@ -42,15 +42,15 @@ void Steps::start(Side first) {
 }
 
 Pose2 Steps::neutral(Side side, const Walk& velocity) const {
-    // Turning and walking sideways open the stance by half a step, so that feet never cross: the
-    // hips can turn the legs outwards only.
+    // Turning opens the stance by half a step, since the hips can turn the legs outwards only;
+    // walking sideways widens it, so that feet do not meet.
     const double ground_time =
         config_.step_duration * (2.0 - (config_.lift_end - config_.lift_start));
-    const double wider = 0.5 * std::abs(velocity.left) * ground_time;
+    const double wider = 0.25 * std::abs(velocity.left) * ground_time;
     const double open = 0.5 * std::abs(velocity.turn) * ground_time;
     const double s = sign_of(side);
     return {{config_.foot_forward * scale_ + config_.foot_forward_gain * velocity.forward,
-             s * (half_width_ + config_.spread * scale_ + wider * 0.5)},
+             s * (half_width_ + config_.spread * scale_ + wider)},
             s * open};
 }
 

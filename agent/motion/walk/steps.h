@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Where the feet shall be, cycle by cycle: the step clock and the foot trajectories of a walk with a
-// given velocity, without any balance.
+// Where the feet shall be, cycle by cycle: the step clock and the foot trajectories of a walk with
+// a given velocity, without any balance.
 //
 // Frame: the walk frame, level, moving with the torso: origin midway between the hips' ground
 // points, x forward, y left, z up from the ground. Metres, radians, seconds.

@@ -53,6 +53,11 @@ void WalkEngine::start(const Walk& wish) {
     moving_ = true;
 }
 
+void WalkEngine::abandon() {
+    velocity_ = {};
+    moving_ = false;
+}
+
 Side WalkEngine::support() const {
     return steps_.swing() == Side::Left ? Side::Right : Side::Left;
 }

@@ -17,6 +17,8 @@ class WalkEngine {
 
     /// The next step() begins to walk from a standstill in the stance.
     void start(const Walk& wish);
+    /// The walk has ended without coming to a stop, as in a fall.
+    void abandon();
     /// One cycle towards `wish`; zero means come to a stop. True while steps are made: false is
     /// returned from the cycle on in which both feet stand in the stance.
     bool step(const BodySense& sense, const Posture& posture, const Walk& wish,

@@ -2,17 +2,15 @@
 // k3d-agent: command line to configuration, the handshake with the server, and the loop.
 #include <CLI/CLI.hpp>
 
-#include <array>
 #include <chrono>
 #include <csignal>
 #include <iostream>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "agent/config.h"
 #include "agent/think.h"
-#include "common/config/config.h"
+#include "common/config/command_line.h"
 #include "common/log/log.h"
 #include "common/net/net.h"
 #include "common/network/network.h"
@@ -20,8 +18,6 @@
 
 namespace {
 
-constexpr int kExitFailed = 1;
-constexpr int kExitUsage = 2;
 /// Frames after which a server that wanted us would have told side and number (reference 1.5).
 constexpr int kFramesUntilSeated = 250;
 
@@ -30,14 +26,11 @@ struct Options {
     std::uint16_t port = 3100;
     k3d::agent::Seat seat{"Keepers", 0};
     std::string telemetry;
-    std::string log_level = "info";
-    std::vector<std::string> config_files;
-    std::vector<std::pair<std::string, std::string>> settings;  ///< path, value
-    bool print_config = false;
+    k3d::config::CommandLine line;
 };
 
 /// Flags that are short names of configuration paths.
-const std::vector<std::array<const char*, 3>> kFlags{
+const std::vector<k3d::config::ShortFlag> kFlags{
     {"--type", "robot_type", "type of Nao, 0-4 (default 0)"},
     {"--role", "role", "keeper, taker or auto: left keeps, right takes (default auto)"},
     {"--keeper-policy", "keeper.policy", "handcoded, still, hold, random or a network file"},
@@ -69,37 +62,9 @@ void add_flags(CLI::App& app, Options& options) {
             options.seat.team = team;
         },
         "team name (default Keepers)");
-    for (const auto& [flag, path, help] : kFlags)
-        app.add_option_function<std::string>(
-            flag,
-            [&options, where = std::string(path)](const std::string& value) {
-                options.settings.emplace_back(where, value);
-            },
-            help);
-    app.add_option("--config", options.config_files, "TOML file; may be repeated, later wins");
-    app.add_option_function<std::vector<std::string>>(
-        "--set",
-        [&options](const std::vector<std::string>& values) {
-            for (const std::string& value : values) {
-                const auto equals = value.find('=');
-                if (equals == std::string::npos)
-                    throw CLI::ValidationError("--set", "'" + value + "' is not path=value");
-                options.settings.emplace_back(value.substr(0, equals), value.substr(equals + 1));
-            }
-        },
-        "path=value, e.g. keeper.hold_threshold=2.5; may be repeated");
+    k3d::config::add_flags(app, options.line, kFlags, "keeper.hold_threshold=2.5");
     app.add_option("--telemetry", options.telemetry,
                    "file for beliefs and decisions, one JSON object a line");
-    app.add_option("--log-level", options.log_level, "trace, debug, info, warning, error or off");
-    app.add_flag("--print-config", options.print_config, "print the resolved configuration, end");
-}
-
-k3d::agent::Config resolve(const Options& options) {
-    k3d::agent::Config config;
-    const auto describe = k3d::config::describing(config);
-    for (const std::string& file : options.config_files) k3d::config::load_file(describe, file);
-    for (const auto& [path, value] : options.settings) k3d::config::set(describe, path, value);
-    return config;
 }
 
 /// Scene, one percept, then init (reference 1.5); `(syn)` in each frame for sync pace.
@@ -143,9 +108,10 @@ int play(const Options& options, const k3d::agent::Config& config) {
 }
 
 int run(const Options& options) {
-    k3d::log::start("k3d-agent", options.log_level);
-    k3d::agent::Config config = resolve(options);
-    if (options.print_config) {
+    k3d::log::start("k3d-agent", options.line.log_level);
+    k3d::agent::Config config;
+    k3d::config::resolve(options.line, k3d::config::describing(config));
+    if (options.line.print_config) {
         std::cout << k3d::config::print(k3d::config::describing(config));
         return 0;
     }
@@ -160,22 +126,5 @@ int main(int argc, char** argv) {
     app.set_version_flag("--version", std::string(k3d::code_version()));
     Options options;
     add_flags(app, options);
-    try {
-        app.parse(argc, argv);
-        return run(options);
-    } catch (const CLI::ParseError& error) {
-        return app.exit(error) == 0 ? 0 : kExitUsage;
-    } catch (const k3d::config::ConfigError& error) {
-        std::cerr << error.what() << '\n';
-        return kExitUsage;
-    } catch (const k3d::network::NetworkError& error) {
-        std::cerr << "k3d-agent: " << error.what() << '\n';
-        return kExitUsage;
-    } catch (const std::invalid_argument& error) {
-        std::cerr << "k3d-agent: " << error.what() << '\n';
-        return kExitUsage;
-    } catch (const std::exception& error) {
-        std::cerr << "k3d-agent: " << error.what() << '\n';
-        return kExitFailed;
-    }
+    return k3d::config::run_program(app, argc, argv, "k3d-agent", [&] { return run(options); });
 }

@@ -3,14 +3,14 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
-#include <array>
 #include <functional>
 #include <iostream>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "common/config/config.h"
+#include "common/config/command_line.h"
 #include "common/log/log.h"
 #include "common/version/version.h"
 #include "optimizer/daemon.h"
@@ -23,8 +23,6 @@ namespace {
 
 using k3d::optimizer::spec::MatchSpec;
 
-constexpr int kExitFailed = 1;
-constexpr int kExitUsage = 2;
 constexpr int kExitInterrupted = 130;
 
 /// What a command line asks for: files first, then what the flags say.
@@ -36,7 +34,7 @@ struct Options {
 };
 
 /// Flags of `match` that set a field of its specification.
-const std::vector<std::array<const char*, 3>> kMatchFlags{
+const std::vector<k3d::config::ShortFlag> kMatchFlags{
     {"--episodes", "episodes", "episodes to play (default 1)"},
     {"--seed", "seed", "of the first episode, the next ones count up (default 1)"},
     {"--jobs", "jobs", "episodes at a time; no result depends on it (default 1)"},
@@ -118,25 +116,17 @@ int run_match(const Options& options) {
     progress.end();
     std::cout << k3d::optimizer::report::table(spec, run);
     if (run.interrupted) return kExitInterrupted;
-    return run.failures.empty() ? 0 : kExitFailed;
+    return run.failures.empty() ? 0 : k3d::config::kExitFailed;
 }
 
-/// Runs what was chosen on the command line; every failure is one line and an exit code.
+/// A start failure that every try would meet keeps the exit code of whoever refused to start.
 int guarded(const std::function<int()>& command) {
     try {
         return command();
     } catch (const k3d::optimizer::HopelessRun& error) {
         std::cerr << "k3d-optimizer: " << error.what() << '\n';
-        return error.exit_code == kExitUsage ? kExitUsage : kExitFailed;
-    } catch (const k3d::config::ConfigError& error) {
-        std::cerr << error.what() << '\n';
-        return kExitUsage;
-    } catch (const std::invalid_argument& error) {
-        std::cerr << "k3d-optimizer: " << error.what() << '\n';
-        return kExitUsage;
-    } catch (const std::exception& error) {
-        std::cerr << "k3d-optimizer: " << error.what() << '\n';
-        return kExitFailed;
+        return error.exit_code == k3d::config::kExitUsage ? k3d::config::kExitUsage
+                                                          : k3d::config::kExitFailed;
     }
 }
 
@@ -150,15 +140,11 @@ int main(int argc, char** argv) {
     CLI::App* match = app.add_subcommand(
         "match", "plays episodes of keepaway, each with new processes, and prints a table");
     add_match_flags(*match, match_options);
-    try {
-        app.parse(argc, argv);
-    } catch (const CLI::ParseError& error) {
-        return app.exit(error) == 0 ? 0 : kExitUsage;
-    }
-    if (!match->parsed()) {
-        std::cerr << "k3d-optimizer: which subcommand? See k3d-optimizer --help\n";
-        return kExitUsage;
-    }
-    k3d::log::start("k3d-optimizer", "info");
-    return guarded([&] { return run_match(match_options); });
+    return k3d::config::run_program(app, argc, argv, "k3d-optimizer", [&] {
+        if (!match->parsed()) {
+            throw std::invalid_argument("which subcommand? See k3d-optimizer --help");
+        }
+        k3d::log::start("k3d-optimizer", "info");
+        return guarded([&] { return run_match(match_options); });
+    });
 }

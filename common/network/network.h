@@ -21,8 +21,8 @@
 namespace k3d::network {
 
 /// What is wrong with a network, with the source (file) and the offending value.
-class NetworkError : public std::runtime_error {
-    using std::runtime_error::runtime_error;
+class NetworkError : public std::invalid_argument {
+    using std::invalid_argument::invalid_argument;
 };
 
 /// sigmoid: 1 / (1 + exp(-4.9 x)), the slope that the NEAT papers use; gauss: exp(-x^2).

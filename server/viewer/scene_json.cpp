@@ -9,6 +9,7 @@
 #include "common/field/field.h"
 #include "common/log/log.h"
 #include "common/nao/model.h"
+#include "server/body/scene.h"
 
 namespace k3d::server::viewer {
 
@@ -27,18 +28,6 @@ json list(const Vec3& v) {
 /// Names come from the wire: bytes that are no UTF-8 must not make the text unreadable.
 std::string dumped(const json& value) {
     return value.dump(-1, ' ', false, json::error_handler_t::replace);
-}
-
-const char* name_of(wire::Side side) {
-    switch (side) {
-        case wire::Side::Left:
-            return "left";
-        case wire::Side::Right:
-            return "right";
-        case wire::Side::None:
-            break;
-    }
-    return "none";
 }
 
 const char* name_of(nao::Shape shape) {
@@ -129,7 +118,7 @@ std::string scene_json(const SceneView& scene) {
         K3D_ASSERT(nao::is_type(robot.type));
         types[std::to_string(robot.type)] = parts_json(robot.type);
         robots.push_back(
-            {{"team", name_of(robot.team)}, {"number", robot.unum}, {"type", robot.type}});
+            {{"team", body::side_name(robot.team)}, {"number", robot.unum}, {"type", robot.type}});
     }
     const json description{
         {"kind", "scene"},

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "common/config/command_line.h"
+
+#include <CLI/CLI.hpp>
+#include <iostream>
+
+namespace k3d::config {
+
+namespace {
+
+std::pair<std::string, std::string> path_and_value(const std::string& text) {
+    const auto equals = text.find('=');
+    if (equals == std::string::npos) {
+        throw CLI::ValidationError("--set", "'" + text + "' is not path=value");
+    }
+    return {text.substr(0, equals), text.substr(equals + 1)};
+}
+
+}  // namespace
+
+void add_flags(CLI::App& app, CommandLine& line, const std::vector<ShortFlag>& flags,
+               const std::string& example) {
+    for (const auto& [flag, path, help] : flags) {
+        app.add_option_function<std::string>(
+            flag,
+            [&line, where = std::string(path)](const std::string& value) {
+                line.settings.emplace_back(where, value);
+            },
+            help);
+    }
+    app.add_option("--config", line.files, "TOML file; may be repeated, later wins")
+        ->allow_extra_args(false);
+    app.add_option_function<std::vector<std::string>>(
+           "--set",
+           [&line](const std::vector<std::string>& values) {
+               for (const std::string& value : values) line.settings.push_back(path_and_value(value));
+           },
+           "path=value, e.g. " + example + "; may be repeated")
+        ->allow_extra_args(false);
+    app.add_option("--log-level", line.log_level, "trace, debug, info, warning, error or off");
+    app.add_flag("--print-config", line.print_config, "print the resolved configuration, and end");
+}
+
+void resolve(const CommandLine& line, const Describe& describe) {
+    for (const std::string& file : line.files) load_file(describe, file);
+    for (const auto& [path, value] : line.settings) set(describe, path, value);
+}
+
+int run_program(CLI::App& app, int argc, char** argv, const std::string& program,
+                const std::function<int()>& run) {
+    const auto failed = [&program](const std::exception& error, int code) {
+        std::cerr << program << ": " << error.what() << '\n';
+        return code;
+    };
+    try {
+        app.parse(argc, argv);
+        return run();
+    } catch (const CLI::ParseError& error) {
+        return app.exit(error) == 0 ? 0 : kExitUsage;
+    } catch (const ConfigError& error) {
+        return failed(error, kExitUsage);
+    } catch (const std::invalid_argument& error) {
+        return failed(error, kExitUsage);
+    } catch (const std::exception& error) {
+        return failed(error, kExitFailed);
+    }
+}
+
+}  // namespace k3d::config

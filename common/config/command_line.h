@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What the programs' command lines have in common: TOML files, single settings, short flags for
+// configuration paths, and how every failure becomes one line and an exit code.
+#pragma once
+
+#include <array>
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "common/config/config.h"
+
+namespace CLI {
+class App;
+}
+
+namespace k3d::config {
+
+inline constexpr int kExitFailed = 1;  ///< a port, a file, a connection or a child failed
+inline constexpr int kExitUsage = 2;   ///< the command line, a configuration or what it names is bad
+
+/// A flag that is the short name of a configuration path: {"--pace", "pace.mode", "help"}.
+using ShortFlag = std::array<const char*, 3>;
+
+/// What a command line asks for, in order; settings win over files, later ones over earlier ones.
+struct CommandLine {
+    std::vector<std::string> files;
+    std::vector<std::pair<std::string, std::string>> settings;  ///< path, value
+    std::string log_level = "info";
+    bool print_config = false;
+};
+
+/// Adds `flags` and --config, --set, --print-config, --log-level. `example` is shown with --set.
+void add_flags(CLI::App& app, CommandLine& line, const std::vector<ShortFlag>& flags,
+               const std::string& example);
+
+/// Loads the files and sets the settings. Throws ConfigError.
+void resolve(const CommandLine& line, const Describe& describe);
+
+/// Parses and runs; a failure is printed as one line with the program's name. Returns the exit
+/// code: run()'s, kExitUsage for ConfigError and std::invalid_argument, kExitFailed for the rest.
+int run_program(CLI::App& app, int argc, char** argv, const std::string& program,
+                const std::function<int()>& run);
+
+}  // namespace k3d::config

@@ -14,8 +14,12 @@
 namespace k3d::agent::kinematics {
 
 /// The same vector, from body axes (x right, y forward, z up) to agent axes and back.
-inline Vec3 body_to_agent(const Vec3& v) { return {v.y(), -v.x(), v.z()}; }
-inline Vec3 agent_to_body(const Vec3& v) { return {-v.y(), v.x(), v.z()}; }
+inline Vec3 body_to_agent(const Vec3& v) {
+    return {v.y(), -v.x(), v.z()};
+}
+inline Vec3 agent_to_body(const Vec3& v) {
+    return {-v.y(), v.x(), v.z()};
+}
 
 struct PartPose {
     Vec3 position = Vec3::Zero();

@@ -26,12 +26,18 @@ const nao::JointDef* joint_of(const nao::Model& model, JointId id) {
     return nullptr;
 }
 
-Mat3 about_x(double angle) { return Eigen::AngleAxisd(angle, Vec3::UnitX()).toRotationMatrix(); }
+Mat3 about_x(double angle) {
+    return Eigen::AngleAxisd(angle, Vec3::UnitX()).toRotationMatrix();
+}
 /// Pitch joints turn about body x, which is minus agent y.
-Mat3 pitched(double angle) { return Eigen::AngleAxisd(-angle, Vec3::UnitY()).toRotationMatrix(); }
+Mat3 pitched(double angle) {
+    return Eigen::AngleAxisd(-angle, Vec3::UnitY()).toRotationMatrix();
+}
 
 /// Angle of v in the sagittal plane, counted as pitch joints do, from straight up.
-double pitch_of(const Vec3& v) { return std::atan2(-v.x(), v.z()); }
+double pitch_of(const Vec3& v) {
+    return std::atan2(-v.x(), v.z());
+}
 
 }  // namespace
 
@@ -86,8 +92,7 @@ bool Leg::solve(const SolePose& target, nao::JointArray& joints) const {
     double distance = reach.norm();
     if (distance < shortest || distance > longest) exact = false;
     distance = std::clamp(distance, shortest, longest);
-    const double bend_cosine =
-        (l1 * l1 + l2 * l2 - distance * distance) / (2.0 * l1 * l2);
+    const double bend_cosine = (l1 * l1 + l2 * l2 - distance * distance) / (2.0 * l1 * l2);
     const double bend = kPi - std::acos(std::clamp(bend_cosine, -1.0, 1.0));
     // Thigh and shank are not parallel at zero pose; the knee joint counts from there.
     const double knee_zero = pitch_of(-thigh_) - pitch_of(-shank_);

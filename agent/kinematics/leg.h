@@ -36,13 +36,13 @@ class Leg {
     Side side_;
     std::array<const nao::JointDef*, 6> joints_;  ///< hip yaw-pitch ... ankle roll
     nao::Part foot_;
-    Vec3 hip_;             ///< torso frame
-    double hip_axis_;      ///< elevation of the yaw-pitch axis in the frontal plane, from +y
-    Vec3 thigh_;           ///< hip -> knee axis at zero pose
-    Vec3 shank_;           ///< knee axis -> ankle pitch axis at zero pose
-    Vec3 ankle_;           ///< ankle pitch axis -> ankle roll axis at zero pose
-    Vec3 sole_;            ///< ankle roll axis -> sole point, foot frame
-    Vec3 sole_in_foot_;    ///< foot centre -> sole point, foot frame
+    Vec3 hip_;           ///< torso frame
+    double hip_axis_;    ///< elevation of the yaw-pitch axis in the frontal plane, from +y
+    Vec3 thigh_;         ///< hip -> knee axis at zero pose
+    Vec3 shank_;         ///< knee axis -> ankle pitch axis at zero pose
+    Vec3 ankle_;         ///< ankle pitch axis -> ankle roll axis at zero pose
+    Vec3 sole_;          ///< ankle roll axis -> sole point, foot frame
+    Vec3 sole_in_foot_;  ///< foot centre -> sole point, foot frame
 };
 
 }  // namespace k3d::agent::kinematics

@@ -23,8 +23,8 @@ void JointControl::step(const nao::JointArray& measured, const JointTargets& tar
         predicted_[i] = measured[i] + previous_[i] * kCycleSeconds;
         const double target =
             std::clamp(targets.angle[i], joint.min + kStopMargin, joint.max - kStopMargin);
-        rates[i] = std::clamp((target - predicted_[i]) / kCycleSeconds, -joint.max_rate,
-                              joint.max_rate);
+        rates[i] =
+            std::clamp((target - predicted_[i]) / kCycleSeconds, -joint.max_rate, joint.max_rate);
     }
     previous_ = rates;
 }

@@ -16,8 +16,7 @@ class JointControl {
     explicit JointControl(const nao::Model& model) : model_(model) {}
 
     /// Speeds that bring the joints to `targets`, within each joint's top speed and stops.
-    void step(const nao::JointArray& measured, const JointTargets& targets,
-              nao::JointArray& rates);
+    void step(const nao::JointArray& measured, const JointTargets& targets, nao::JointArray& rates);
     /// The angles at the end of the running cycle, as the last step() expected them.
     const nao::JointArray& predicted() const { return predicted_; }
 

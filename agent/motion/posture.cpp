@@ -13,20 +13,20 @@ namespace {
 constexpr double kGravity = 9.81;
 // The gyro is noise-free and rounded to 0.01 deg/s, so it drifts by less than 0.3 degrees a minute:
 // the accelerometer needs to pull only slowly, and steps of the walk average out.
-constexpr double kWalkingPull = 0.004;   // per cycle
-constexpr double kRestingPull = 0.1;     // per cycle, lying or standing still
-constexpr double kWalkingError = 1.5;    // m/s^2, length of the accelerometer against g
-constexpr double kRestingError = 0.25;   // m/s^2
-constexpr double kRestingRate = 0.1;     // rad/s
+constexpr double kWalkingPull = 0.004;  // per cycle
+constexpr double kRestingPull = 0.1;    // per cycle, lying or standing still
+constexpr double kWalkingError = 1.5;   // m/s^2, length of the accelerometer against g
+constexpr double kRestingError = 0.25;  // m/s^2
+constexpr double kRestingRate = 0.1;    // rad/s
 constexpr int kRestingCycles = 10;
 
 /// Rotation that takes `up` to z and the torso's forward axis to the x-z plane.
 Quat levelled(const Vec3& up) {
     // Lying on face or back the forward axis points along the vertical: then the head's direction
     // (lying on the back it points backwards) gives the heading.
-    const Vec3 forward = std::abs(up.x()) < 0.9 ? Vec3(Vec3::UnitX())
-                                                : Vec3(up.x() > 0.0 ? -Vec3::UnitZ()
-                                                                    : Vec3(Vec3::UnitZ()));
+    const Vec3 forward = std::abs(up.x()) < 0.9
+                             ? Vec3(Vec3::UnitX())
+                             : Vec3(up.x() > 0.0 ? -Vec3::UnitZ() : Vec3(Vec3::UnitZ()));
     const Vec3 x = (forward - forward.dot(up) * up).normalized();
     Mat3 rows;
     rows.row(0) = x;

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The body's choice between standing, walking, kicking, falling and getting up.
+#include "agent/motion/body_motion.h"
+
 #include <gtest/gtest.h>
 
 #include <set>
 
-#include "agent/motion/body_motion.h"
 #include "contract/body_rig.h"
 
 namespace k3d::contract {

@@ -13,9 +13,13 @@ namespace {
 using agent::motion::SoleForce;
 
 /// Body axes of the server -> axes of the agent.
-Vec3 to_agent(const Vec3& v) { return {v.y(), -v.x(), v.z()}; }
+Vec3 to_agent(const Vec3& v) {
+    return {v.y(), -v.x(), v.z()};
+}
 
-double two_decimals(double value) { return std::round(value * 100.0) / 100.0; }
+double two_decimals(double value) {
+    return std::round(value * 100.0) / 100.0;
+}
 Vec3 two_decimals(const Vec3& v) {
     return {two_decimals(v.x()), two_decimals(v.y()), two_decimals(v.z())};
 }
@@ -93,7 +97,9 @@ Pose2 BodyRig::pose() const {
     return {{torso.x(), torso.y()}, robot_.heading()};
 }
 
-double BodyRig::height() const { return robot_.torso_position().z(); }
+double BodyRig::height() const {
+    return robot_.torso_position().z();
+}
 
 double BodyRig::tilt() const {
     const Vec3 up = robot_.torso_rotation() * Vec3::UnitZ();

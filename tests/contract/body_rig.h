@@ -32,9 +32,9 @@ class BodyRig {
     double time() const { return sense_.time; }
 
     // Truth.
-    Pose2 pose() const;          ///< torso on the ground, with its heading
-    double height() const;       ///< of the torso centre
-    double tilt() const;         ///< angle of the torso's up axis against the vertical, rad
+    Pose2 pose() const;     ///< torso on the ground, with its heading
+    double height() const;  ///< of the torso centre
+    double tilt() const;    ///< angle of the torso's up axis against the vertical, rad
     bool fallen() const { return tilt() > radians(60.0); }
 
   private:
@@ -47,7 +47,7 @@ class BodyRig {
     server::body::Robot robot_;
     agent::motion::BodySense sense_;
     nao::JointArray pending_{};
-    Vec3 velocity_ = Vec3::Zero();        ///< before the last step
+    Vec3 velocity_ = Vec3::Zero();         ///< before the last step
     Vec3 velocity_before_ = Vec3::Zero();  ///< before the step before that
     int steps_ = 0;
 };

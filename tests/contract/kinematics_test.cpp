@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "agent/kinematics/leg.h"
-#include "contract/body_rig.h"
 #include "common/random/stream.h"
+#include "contract/body_rig.h"
 
 namespace k3d::contract {
 namespace {
@@ -62,8 +62,8 @@ TEST_P(KinematicsContract, LegInverseUndoesForward) {
                     random.uniform(std::max(joint.min, -0.8), std::min(joint.max, 0.8));
             }
             // A straight leg and a hip beside the foot have a second solution; neither is drawn.
-            const auto knee = side == Side::Right ? nao::JointId::RKneePitch
-                                                  : nao::JointId::LKneePitch;
+            const auto knee =
+                side == Side::Right ? nao::JointId::RKneePitch : nao::JointId::LKneePitch;
             angles[nao::index(knee)] = random.uniform(-1.8, -0.1);
             const SolePose wanted = leg.sole(agent::kinematics::forward(model, angles));
             const Vec3 hip = wanted.rotation.transpose() * (leg.hip() - wanted.position);

@@ -142,8 +142,8 @@ TEST(WalkContract, SurvivesAMinuteOfRandomWishes) {
     double left = 60.0;
     while (left > 0.0) {
         const double seconds = random.uniform(1.0, 3.0);
-        Request request = walk(random.uniform(-1.0, 1.0), random.uniform(-0.5, 0.5),
-                               random.uniform(-2.5, 2.5));
+        Request request =
+            walk(random.uniform(-1.0, 1.0), random.uniform(-0.5, 0.5), random.uniform(-2.5, 2.5));
         if (random.below(5) == 0) request.body = Stand{};
         robot.run(seconds, request);
         left -= seconds;

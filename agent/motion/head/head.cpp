@@ -20,9 +20,8 @@ void look(const HeadRequest& request, const Posture& posture, JointTargets& out)
     const Vec3 direction = posture.torso.conjugate() * level;
     out[nao::JointId::HeadYaw] =
         std::clamp(std::atan2(direction.y(), direction.x()), -kMaxYaw, kMaxYaw);
-    out[nao::JointId::HeadPitch] =
-        std::clamp(std::atan2(direction.z(), std::hypot(direction.x(), direction.y())),
-                   -kMaxPitch, kMaxPitch);
+    out[nao::JointId::HeadPitch] = std::clamp(
+        std::atan2(direction.z(), std::hypot(direction.x(), direction.y())), -kMaxPitch, kMaxPitch);
 }
 
 }  // namespace k3d::agent::motion::head

@@ -13,7 +13,7 @@ struct Config {
     double max_backward = 0.58;
     double max_sideways = 0.33;
     double max_turn = 2.6;
-    double forward_acceleration = 1.0;
+    double forward_acceleration = 1.2;
     double sideways_acceleration = 0.8;
     double turn_acceleration = 4.11;
     double braking = 1.2;

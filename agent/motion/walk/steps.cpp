@@ -21,8 +21,12 @@ double swing_way(double from, double to, double slope, double ease, double u) {
     return from + (to - from) * (u + ease * (3.0 * u2 - 2.0 * u3 - u)) + slope * tangent;
 }
 
-Side other(Side side) { return side == Side::Right ? Side::Left : Side::Right; }
-double sign_of(Side side) { return side == Side::Left ? 1.0 : -1.0; }
+Side other(Side side) {
+    return side == Side::Right ? Side::Left : Side::Right;
+}
+double sign_of(Side side) {
+    return side == Side::Left ? 1.0 : -1.0;
+}
 
 }  // namespace
 
@@ -95,13 +99,13 @@ void Steps::swing_foot(const Walk& velocity, const Correction& correction) {
     const auto way = [&](double from, double to, double speed) {
         return swing_way(from, to, match * speed, config_.swing_ease, u);
     };
-    foot.ground.position = {
-        way(lifted_from_.position.x(), landing.position.x(), velocity.forward),
-        way(lifted_from_.position.y(), landing.position.y(), velocity.left)};
+    foot.ground.position = {way(lifted_from_.position.x(), landing.position.x(), velocity.forward),
+                            way(lifted_from_.position.y(), landing.position.y(), velocity.left)};
     foot.ground.yaw = way(lifted_from_.yaw, landing.yaw, velocity.turn);
     foot.air = std::pow(std::sin(kPi * u), config_.lift_shape);
-    foot.lift = foot.air * (config_.step_height + config_.step_height_gain *
-                                                      std::abs(velocity.forward)) * scale_;
+    foot.lift = foot.air *
+                (config_.step_height + config_.step_height_gain * std::abs(velocity.forward)) *
+                scale_;
 }
 
 void Steps::advance(const Walk& velocity, const Correction& correction) {

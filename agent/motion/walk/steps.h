@@ -18,9 +18,9 @@ using kinematics::Side;
 
 /// Where one foot shall be now.
 struct Foot {
-    Pose2 ground;        ///< sole point and direction
-    double lift = 0.0;   ///< above the ground
-    double air = 0.0;    ///< 0 on the ground, 1 in the middle of the swing
+    Pose2 ground;       ///< sole point and direction
+    double lift = 0.0;  ///< above the ground
+    double air = 0.0;   ///< 0 on the ground, 1 in the middle of the swing
 };
 
 /// Shift of the next landing asked by balance.
@@ -41,7 +41,7 @@ class Steps {
 
     const Foot& foot(Side side) const { return feet_[static_cast<std::size_t>(side)]; }
     Side swing() const { return swing_; }
-    double phase() const { return phase_; }   ///< 0..1 within the step
+    double phase() const { return phase_; }    ///< 0..1 within the step
     bool stepped() const { return stepped_; }  ///< a new step began in the last advance()
     /// Swing of the hips over the support foot, -1 right .. 1 left.
     double sway() const;
@@ -60,7 +60,7 @@ class Steps {
     Side swing_ = Side::Left;
     double phase_ = 0.0;
     bool stepped_ = false;
-    Pose2 lifted_from_;   ///< where the swing foot left the ground, walk frame of that moment
+    Pose2 lifted_from_;  ///< where the swing foot left the ground, walk frame of that moment
     bool in_air_ = false;
 };
 

@@ -13,14 +13,20 @@ namespace {
 using nao::JointId;
 
 constexpr double kStoppedDistance = 0.012;  // m, feet this close to the stance may just stand
-constexpr double kSteady = 0.08;           // rad, tilt error below which walking may stop
-constexpr double kMaxError = 0.5;          // rad, beyond it the robot falls whatever is done
-constexpr double kMaxHeadingError = 0.25;  // rad
-constexpr double kMaxLandingShift = 0.08;  // m
+constexpr double kSteady = 0.08;            // rad, tilt error below which walking may stop
+constexpr double kMaxError = 0.5;           // rad, beyond it the robot falls whatever is done
+constexpr double kMaxHeadingError = 0.25;   // rad
+constexpr double kMaxLandingShift = 0.08;   // m
 
-Mat3 about_x(double angle) { return Eigen::AngleAxisd(angle, Vec3::UnitX()).toRotationMatrix(); }
-Mat3 about_y(double angle) { return Eigen::AngleAxisd(angle, Vec3::UnitY()).toRotationMatrix(); }
-Mat3 about_z(double angle) { return Eigen::AngleAxisd(angle, Vec3::UnitZ()).toRotationMatrix(); }
+Mat3 about_x(double angle) {
+    return Eigen::AngleAxisd(angle, Vec3::UnitX()).toRotationMatrix();
+}
+Mat3 about_y(double angle) {
+    return Eigen::AngleAxisd(angle, Vec3::UnitY()).toRotationMatrix();
+}
+Mat3 about_z(double angle) {
+    return Eigen::AngleAxisd(angle, Vec3::UnitZ()).toRotationMatrix();
+}
 
 double approach(double value, double target, double step) {
     return value + std::clamp(target - value, -step, step);
@@ -30,7 +36,9 @@ double length_of_leg(const kinematics::Leg& leg) {
     return leg.hip().z() - leg.zero_pose().position.z();
 }
 
-bool is_zero(const Walk& v) { return v.forward == 0.0 && v.left == 0.0 && v.turn == 0.0; }
+bool is_zero(const Walk& v) {
+    return v.forward == 0.0 && v.left == 0.0 && v.turn == 0.0;
+}
 
 }  // namespace
 
@@ -77,8 +85,7 @@ void WalkEngine::follow(const Walk& wish) {
     const auto follow_one = [&](double& value, double wanted, double acceleration) {
         value = approach(value, wanted * allowed, acceleration * share_ * kCycleSeconds);
     };
-    const bool braking =
-        velocity_.forward * (wish.forward * allowed - velocity_.forward) < 0.0;
+    const bool braking = velocity_.forward * (wish.forward * allowed - velocity_.forward) < 0.0;
     follow_one(velocity_.forward, wish.forward,
                braking ? config_.braking : config_.forward_acceleration);
     follow_one(velocity_.left, wish.left, config_.sideways_acceleration);

@@ -21,8 +21,7 @@ class WalkEngine {
     void abandon();
     /// One cycle towards `wish`; zero means come to a stop. True while steps are made: false is
     /// returned from the cycle on in which both feet stand in the stance.
-    bool step(const BodySense& sense, const Posture& posture, const Walk& wish,
-              JointTargets& out);
+    bool step(const BodySense& sense, const Posture& posture, const Walk& wish, JointTargets& out);
 
     /// Legs and arms of the stance, in which the robot waits and from which it walks.
     void stance(JointTargets& out) const;
@@ -49,7 +48,7 @@ class WalkEngine {
     double share_;       ///< of the configured top speeds and accelerations
     Steps steps_;
     Walk velocity_;
-    double pitch_error_ = 0.0, roll_error_ = 0.0;            ///< predicted, against the wanted lean
+    double pitch_error_ = 0.0, roll_error_ = 0.0;  ///< predicted, against the wanted lean
     double pitch_now_ = 0.0, roll_now_ = 0.0;
     double pitch_rate_ = 0.0, roll_rate_ = 0.0;
     double heading_error_ = 0.0;  ///< turn asked for and not made yet

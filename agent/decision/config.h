@@ -24,7 +24,7 @@ struct KeepawayConfig {
 /// Roles and the K1 keeper's conduct (paper 5.1).
 struct KeeperConfig {
     std::string policy = "handcoded";
-    double hold_threshold = 3.0;
+    double hold_threshold = 2.4;
     double role_hysteresis = 0.4;
     double tie_margin = 0.5;
     double claim_memory = 0.6;

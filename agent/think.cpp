@@ -16,7 +16,8 @@ skills::KickGeometry kick_geometry(const kick::Config& config) {
     return {[config](const Pose2& self, const Vec2& ball, double yaw) {
                 return kick::stand_pose_near(config, self, ball, yaw);
             },
-            [config](const motion::Kick& wish) { return kick::kick_possible(config, wish); }};
+            [config](const motion::Kick& wish) { return kick::kick_possible(config, wish); },
+            [config](double wanted) { return config.swing_for(wanted).reach_m; }};
 }
 
 decision::PlayerSettings player_settings(const Config& c, const std::string& entity) {

@@ -24,7 +24,7 @@ struct KeepawayConfig {
 /// Roles and the K1 keeper's conduct (paper 5.1).
 struct KeeperConfig {
     std::string policy = "handcoded";
-    double hold_threshold = 3.0;
+    double hold_threshold = 2.4;
     double role_hysteresis = 0.4;
     double tie_margin = 0.5;
     double claim_memory = 0.6;
@@ -34,6 +34,8 @@ struct KeeperConfig {
     double commit_margin = 2.0;
     double area_margin = 0.4;
     double stance_margin = 0.12;
+    double landing_margin = 0.4;
+    double landing_error = 0.8;
     double pressure_far = 2.0;
     double pressure_near = 0.7;
     double panic_distance = 1.0;
@@ -62,6 +64,10 @@ struct KeeperConfig {
                  "keepers walk only to places this far inside the boundary");
         f.number("stance_margin", stance_margin, {0.0, 2.0}, "m",
                  "no targets for which K1 would have to stand nearer to the boundary than this");
+        f.number("landing_margin", landing_margin, {-5.0, 5.0}, "m",
+                 "no targets for which the kick would send the ball nearer to the boundary");
+        f.number("landing_error", landing_error, {0.0, 20.0}, "m",
+                 "nor those that the kick would miss by more, short or far");
         f.number("pressure_far", pressure_far, {0.0, 20.0}, "m",
                  "a taker this near to the ball begins to loosen the kick's tolerances");
         f.number("pressure_near", pressure_near, {0.0, 20.0}, "m",

@@ -20,6 +20,8 @@ struct KickGeometry {
     std::function<Pose2(const Pose2& self, const Vec2& ball, double yaw)> stand_pose;
     /// Can the engine strike this ball from here (robot frame)?
     std::function<bool(const motion::Kick&)> possible;
+    /// How far the ball goes, m, when so much is wanted: engines have few swings.
+    std::function<double(double wanted)> reach;
 };
 
 struct KickSituation {

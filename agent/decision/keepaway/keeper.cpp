@@ -169,7 +169,7 @@ void Keeper::choose_target(const world::Beliefs& b, Account& account) {
         const Room room = [&](const Vec2& p) {
             const double turn = std::abs(wrap_angle(yaw_of(p - situation.ball) - b.self.pose.yaw));
             if (panic && turn > c.panic_angle) return c.panic_angle - turn;
-            return stance_room(p, situation.ball);
+            return room_for(p, situation.ball);
         };
         const Target best = best_target(grid_, situation, policy_, settings_.evaluation, room,
                                         target_, keep);
@@ -181,11 +181,17 @@ void Keeper::choose_target(const world::Beliefs& b, Account& account) {
     account.k2 = k2_;
 }
 
-double Keeper::stance_room(const Vec2& target, const Vec2& ball) const {
-    const double yaw = yaw_of(target - ball);
-    const Pose2 stance = kick_.stand_pose({ball, yaw}, ball, yaw);
-    const double half = settings_.keepaway.side / 2.0 - settings_.keeper.stance_margin;
-    return half - stance.position.cwiseAbs().maxCoeff();
+double Keeper::room_for(const Vec2& target, const Vec2& ball) const {
+    const KeeperConfig& c = settings_.keeper;
+    const double half = settings_.keepaway.side / 2.0;
+    const Vec2 shot = target - ball;
+    const double yaw = yaw_of(shot);
+    const double reach = kick_.reach(shot.norm());
+    const Vec2 stance = kick_.stand_pose({ball, yaw}, ball, yaw).position;
+    const Vec2 landing = ball + direction(yaw) * reach;
+    return std::min({half - c.stance_margin - stance.cwiseAbs().maxCoeff(),
+                     half - c.landing_margin - landing.cwiseAbs().maxCoeff(),
+                     c.landing_error - std::abs(reach - shot.norm())});
 }
 
 motion::BodyRequest Keeper::walk_and_watch(const world::Beliefs& b, const Vec2& place) {

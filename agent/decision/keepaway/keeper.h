@@ -49,7 +49,8 @@ class Keeper {
     motion::BodyRequest act_k1(const world::Beliefs& beliefs, const motion::State& body,
                                bool committed, Account& account);
     void choose_target(const world::Beliefs& beliefs, Account& account);
-    double stance_room(const Vec2& target, const Vec2& ball) const;
+    /// Room of policy.h: for the stance, for where the ball lands, and between that and the target.
+    double room_for(const Vec2& target, const Vec2& ball) const;
     motion::BodyRequest walk_and_watch(const world::Beliefs& beliefs, const Vec2& place);
 
     KeeperSettings settings_;

@@ -41,8 +41,8 @@ struct Target {
     double cost = 0.0;
 };
 
-/// How far inside the area K1 would stand to kick at a point, m; negative: too near the boundary
-/// or beyond it.
+/// How well a kick at a point can be done, m of room; negative: not at all (K1 would have to stand
+/// outside the area, say).
 using Room = std::function<double(const Vec2&)>;
 
 /// The point of lowest cost among those with room that are at least min_pass from the ball, the

@@ -34,12 +34,13 @@ inline world::Beliefs scene(int unum, Pose2 pose, Vec2 ball, double now = 10.0) 
     return b;
 }
 
-/// A kick from 0.2 m straight behind the ball, possible within 0.4 m.
+/// A kick from 0.2 m straight behind the ball, possible within 0.4 m, as far as wanted.
 inline skills::KickGeometry simple_kick() {
     return {[](const Pose2&, const Vec2& ball, double yaw) {
                 return Pose2{ball - direction(yaw) * 0.2, yaw};
             },
-            [](const motion::Kick& kick) { return kick.ball.norm() < 0.4; }};
+            [](const motion::Kick& kick) { return kick.ball.norm() < 0.4; },
+            [](double wanted) { return wanted; }};
 }
 
 inline talk::Report says(int unum, bool claims, std::optional<Vec2> target, int k2, double heard) {

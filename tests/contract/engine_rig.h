@@ -4,26 +4,17 @@
 
 #include "agent/motion/joint_control.h"
 #include "agent/motion/posture.h"
+#include "agent/motion/walk/walk_engine.h"
 #include "contract/body_rig.h"
 
 namespace k3d::contract {
 
-/// Knees bent, soles flat, torso a little forward, elbows bent: close to the stance of the walk.
-inline nao::JointArray crouched_stand() {
-    using enum nao::JointId;
-    nao::JointArray pose{};
-    const auto set = [&pose](nao::JointId right, nao::JointId left, double right_deg, double sign) {
-        pose[nao::index(right)] = radians(right_deg);
-        pose[nao::index(left)] = sign * radians(right_deg);
-    };
-    set(RShoulderPitch, LShoulderPitch, -109, 1);
-    set(RShoulderYaw, LShoulderYaw, -11.5, -1);
-    set(RArmRoll, LArmRoll, 90, -1);
-    set(RElbow, LElbow, 51.6, -1);
-    set(RHipPitch, LHipPitch, 30, 1);
-    set(RKneePitch, LKneePitch, -63.5, 1);
-    set(RAnklePitch, LAnklePitch, 36.3, 1);
-    return pose;
+/// The stance of the walk, in which motions begin and end.
+inline nao::JointArray walk_stance() {
+    const agent::motion::walk::Config config;
+    agent::motion::JointTargets targets;
+    agent::motion::walk::WalkEngine(nao::model(0), config).stance(targets);
+    return targets.angle;
 }
 
 class EngineRig {

@@ -22,7 +22,7 @@ using agent::getup::lying_on;
 /// `towards` 0 = forward, pi/2 = to its left. False if it stayed up.
 bool topple(EngineRig& r, double towards, RandomStream& random) {
     using enum nao::JointId;
-    const nao::JointArray stand = crouched_stand();
+    const nao::JointArray stand = walk_stance();
     r.take(stand, 0.5, 0.2);
     nao::JointArray pose = stand;
     for (double& angle : pose) angle += random.normal(0.0, 0.25);
@@ -43,9 +43,9 @@ bool topple(EngineRig& r, double towards, RandomStream& random) {
 /// Up within 5 s, and a second later still standing in the stand.
 bool gets_up(EngineRig& r) {
     GetUp get_up{Config{}};
-    get_up.start(crouched_stand());
+    get_up.start(walk_stance());
     if (r.run(get_up, 5.0) >= 5.0) return false;
-    r.take(crouched_stand(), 0.0, 1.0);
+    r.take(walk_stance(), 0.0, 1.0);
     return r.rig.tilt() < radians(15.0) && r.rig.height() > 0.3;
 }
 
@@ -71,7 +71,7 @@ TEST(GetUpContract, StandsAgainAfterFallsToEverySide) {
 
 TEST(GetUpContract, ComesToTheStandWhenItHasNotFallen) {
     EngineRig r;
-    r.take(crouched_stand(), 0.5, 0.2);
+    r.take(walk_stance(), 0.5, 0.2);
     EXPECT_TRUE(gets_up(r));
 }
 

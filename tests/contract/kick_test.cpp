@@ -36,15 +36,15 @@ Outcome kick_once(Foot foot, double distance, const Vec2& ball_off, double turne
     const Pose2 stand = stand_pose(config, Vec2::Zero(), 0.0, foot);
     const Vec2 place = stand.to_local(Vec2::Zero());
     EngineRig r;
-    r.take(crouched_stand(), 0.5, 0.4);
+    r.take(walk_stance(), 0.5, 0.4);
     const Pose2 self = r.rig.pose();
     const Vec2 ball = self.to_global(place + ball_off);
     r.rig.ball().move({ball.x(), ball.y(), 0.0403});
     KickEngine engine{config};
-    engine.start({place, -stand.yaw, distance}, crouched_stand());
+    engine.start({place, -stand.yaw, distance}, walk_stance());
     Outcome o;
     o.duration = r.run(engine, 3.0);
-    r.take(crouched_stand(), 0.0, 4.0);
+    r.take(walk_stance(), 0.0, 4.0);
     const Vec3 end = r.rig.ball().position();
     const Vec2 way = Vec2(end.x(), end.y()) - ball;
     o.distance = way.norm();

@@ -58,6 +58,9 @@ struct Config {
     double reach_direction_deg = 12.0;
     double aim_outward_deg = 0.0;
 
+    double settle_rate = 0.8;
+    double settle_limit_s = 0.4;
+
     Swing far;   ///< as far as it goes
     Swing near;  ///< for short passes
 
@@ -79,6 +82,10 @@ struct Config {
                  "how far the kick's direction may be off the one wanted");
         f.number("aim_outward_deg", aim_outward_deg, {-45.0, 45.0}, "deg",
                  "the ball goes this much to the kicking foot's side of straight ahead");
+        f.number("settle_rate", settle_rate, {0.01, 20.0}, "rad/s",
+                 "turning slower than this after the swing counts as standing quietly");
+        f.number("settle_limit_s", settle_limit_s, {0.02, 2.0}, "s",
+                 "longest wait for standing quietly");
         f.section("far", far);
         f.section("near", near);
     }

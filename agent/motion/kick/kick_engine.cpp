@@ -22,6 +22,8 @@ constexpr std::array<JointId, 6> kLeftLeg{LHipYawPitch, LHipRoll,    LHipPitch,
                                           LKneePitch,   LAnklePitch, LAnkleRoll};
 constexpr std::array<bool, 6> kSignTurns{false, true, false, false, false, true};
 
+constexpr int kCalmCycles = 3;  // slow for this many cycles: at rest
+
 int cycles_of(double seconds) {
     return std::max(1, static_cast<int>(std::lround(seconds / kCycleSeconds)));
 }
@@ -59,12 +61,13 @@ void KickEngine::start(const motion::Kick& kick, const JointArray& stand) {
     frames_.push_back({swing.stand_s, stand_});
     frame_ = 0;
     cycle_ = 0;
+    calm_cycles_ = 0;
     fresh_ = true;
 }
 
-bool KickEngine::step(const motion::BodySense& sense, const motion::Posture&,
+bool KickEngine::step(const motion::BodySense& sense, const motion::Posture& posture,
                       motion::JointTargets& out) {
-    if (frame_ >= frames_.size()) return false;
+    if (frame_ >= frames_.size()) return !is_quiet(posture);
     if (fresh_) {
         fresh_ = false;
         from_ = sense.joints;
@@ -80,7 +83,13 @@ bool KickEngine::step(const motion::BodySense& sense, const motion::Posture&,
         cycle_ = 0;
         ++frame_;
     }
-    return frame_ < frames_.size();
+    return true;
+}
+
+/// A walk that begins while the body still swings from the kick may fall.
+bool KickEngine::is_quiet(const motion::Posture& posture) {
+    calm_cycles_ = posture.rate.norm() < config_.settle_rate ? calm_cycles_ + 1 : 0;
+    return calm_cycles_ >= kCalmCycles || ++cycle_ >= cycles_of(config_.settle_limit_s);
 }
 
 }  // namespace k3d::agent::kick

@@ -21,7 +21,7 @@ class KickEngine {
 
     /// Begins a kick with the foot nearer to the ball's place; `stand` is the pose to end in.
     void start(const motion::Kick& kick, const nao::JointArray& stand);
-    /// Writes all joints but the head's. False once the stand is reached.
+    /// Writes all joints but the head's. False once it stands quietly again.
     bool step(const motion::BodySense& sense, const motion::Posture& posture,
               motion::JointTargets& out);
 
@@ -34,11 +34,13 @@ class KickEngine {
     };
 
     nao::JointArray pose_of(const Swing& swing, std::size_t k) const;
+    bool is_quiet(const motion::Posture& posture);
 
     Config config_;
     std::vector<Keyframe> frames_;  ///< all of the running kick
     std::size_t frame_ = 0;         ///< the running one
-    int cycle_ = 0;                 ///< of the running keyframe
+    int cycle_ = 0;                 ///< of the running keyframe, or of settling after the last
+    int calm_cycles_ = 0;           ///< in a row
     Foot foot_ = Foot::Right;
     bool fresh_ = false;       ///< from_ is not known yet
     nao::JointArray from_{};   ///< where the running keyframe began

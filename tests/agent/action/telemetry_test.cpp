@@ -4,6 +4,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -18,7 +19,9 @@ using nlohmann::json;
 class TelemetryTest : public testing::Test {
   protected:
     TelemetryTest()
-        : path_((std::filesystem::path(testing::TempDir()) / "k3d_telemetry.jsonl").string()) {}
+        : path_((std::filesystem::path(testing::TempDir()) /
+                 ("k3d-telemetry-" + std::to_string(getpid()) + ".jsonl"))
+                    .string()) {}
     ~TelemetryTest() override { std::filesystem::remove(path_); }
 
     std::vector<json> lines() const {

@@ -3,6 +3,7 @@
 #include "agent/decision/possession.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -71,7 +72,8 @@ TEST(Possession, NetworkFromAFileChooses) {
         d.outputs.emplace_back(name);
         d.nodes.push_back({name, network::Activation::Linear, std::string(name) == "hold" ? 1.0 : 0.0});
     }
-    const auto path = (std::filesystem::path(testing::TempDir()) / "k3d_possession.json").string();
+    const auto path = (std::filesystem::path(testing::TempDir()) / ("k3d_possession_" + std::to_string(getpid()) + ".json"))
+                          .string();
     std::ofstream(path) << network::to_json(d);
     PossessionConfig config;
     config.network = path;

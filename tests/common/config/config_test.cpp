@@ -4,6 +4,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <cstdio>
 #include <fstream>
@@ -156,7 +157,7 @@ TEST(ConfigLoad, FilesThatCannotBeReadAreNamed) {
 }
 
 TEST(ConfigLoad, ReadsFiles) {
-    const std::string path = testing::TempDir() + "k3d_config_test.toml";
+    const std::string path = testing::TempDir() + "k3d_config_test_" + std::to_string(getpid());
     std::ofstream(path) << "port = 17\n";
     Match run;
     load_file(describing(run), path);

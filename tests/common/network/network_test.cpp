@@ -4,6 +4,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <cmath>
 #include <filesystem>
@@ -104,7 +105,8 @@ TEST(NetworkFile, RoundTripIsExact) {
 }
 
 TEST(NetworkFile, LoadsFromDiskAndNamesAMissingFile) {
-    const auto path = std::filesystem::path(testing::TempDir()) / "k3d_network_test.json";
+    const auto path = std::filesystem::path(testing::TempDir()) /
+                      ("k3d_network_test_" + std::to_string(getpid()) + ".json");
     std::ofstream(path) << to_json(small());
     EXPECT_EQ(load_file(path.string()), small());
     std::filesystem::remove(path);

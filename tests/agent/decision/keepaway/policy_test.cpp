@@ -3,6 +3,7 @@
 #include "agent/decision/keepaway/policy.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -72,7 +73,7 @@ network::Definition prefers(std::size_t feature, double weight) {
 }
 
 std::string write_network(const network::Definition& d, const std::string& name) {
-    const auto path = std::filesystem::path(testing::TempDir()) / name;
+    const auto path = std::filesystem::path(testing::TempDir()) / (std::to_string(getpid()) + name);
     std::ofstream(path) << network::to_json(d);
     return path.string();
 }

@@ -40,7 +40,6 @@ struct KeeperConfig {
     double pressure_near = 0.7;
     double panic_distance = 1.0;
     double panic_angle = 0.8;
-    double settle = 0.16;
 
     void describe(config::Fields& f) {
         f.text("policy", policy, {},
@@ -75,7 +74,6 @@ struct KeeperConfig {
         f.number("panic_distance", panic_distance, {0.0, 20.0}, "m",
                  "with a taker this near K1 takes only targets that it nearly faces");
         f.number("panic_angle", panic_angle, {0.0, 3.15}, "rad", "what nearly means");
-        f.number("settle", settle, {0.0, 2.0}, "s", "stand this long before a kick");
     }
 };
 

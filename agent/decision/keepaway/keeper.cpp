@@ -50,7 +50,6 @@ Decision Keeper::decide(const world::Beliefs& b, const motion::State& body,
     if (!home_)
         home_ = b.self.localised ? b.self.pose.position : birth_place(b.game.unum, settings_.keepaway);
     if (body.kick_started) ++kicks_;
-    if (body.activity != motion::Activity::Standing) walked_ = b.now;
 
     Assignment part = roles_.update(b, reports, settings_.keeper);
     Decision d;
@@ -143,11 +142,7 @@ motion::BodyRequest Keeper::act_k1(const world::Beliefs& b, const motion::State&
     };
     motion::BodyRequest request = possession_.get_skill(input);
     account.skill = possession_.state_name();
-    const auto* kick = std::get_if<motion::Kick>(&request);
-    if (kick == nullptr) return request;
-    swing_ = *kick;
-    // A body that still rocks from its last step kicks the ball weakly or falls.
-    if (b.now - walked_ < c.settle) return motion::Stand{};
+    if (const auto* kick = std::get_if<motion::Kick>(&request)) swing_ = *kick;
     return request;
 }
 

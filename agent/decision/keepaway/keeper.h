@@ -64,7 +64,6 @@ class Keeper {
     std::optional<Vec2> home_;        ///< where this keeper was born
     std::optional<Vec2> target_;      ///< while K1
     std::optional<motion::Kick> swing_;  ///< the kick asked for last or under way
-    double walked_ = -1e9;               ///< when the robot last did anything but stand
     int k2_ = 0;
     int kicks_ = 0;
     bool was_k1_ = false;

@@ -17,7 +17,7 @@ struct Obstacle {
     double clearance;  ///< m to keep between its centre and ours
 };
 
-/// Where to head for now so as to reach `goal` without running into an obstacle: the goal itself
+/// Where to head first so as to reach `goal` without running into an obstacle: the goal itself
 /// if the way is free, else a point beside the nearest obstacle in the way. An obstacle that
 /// stands on the goal is not avoided.
 Vec2 waypoint(const Vec2& self, const Vec2& goal, std::span<const Obstacle> obstacles);

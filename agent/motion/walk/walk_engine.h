@@ -28,7 +28,7 @@ class WalkEngine {
     /// Torso pitch of the stance.
     double stance_pitch() const { return config_.lean; }
 
-    const Walk& velocity() const { return velocity_; }  ///< what the steps are made for now
+    const Walk& velocity() const { return velocity_; }  ///< what the present steps are made for
     Side support() const;
 
   private:

@@ -61,6 +61,8 @@ class Stream : public std::enable_shared_from_this<Stream> {
         return true;
     }
 
+    bool ready() { return !closed_ && flush_tail(); }
+
     void close(std::string_view reason) {
         if (closed_) return;
         closed_ = true;
@@ -158,6 +160,7 @@ class StreamConnection final : public Connection {
 
     bool next_frame(std::string_view& payload) override { return stream_->next_frame(payload); }
     bool send(std::string_view payload) override { return stream_->send(payload); }
+    bool ready() override { return stream_->ready(); }
     bool closed() const override { return stream_->closed(); }
     const std::string& close_reason() const override { return stream_->reason(); }
     const std::string& peer() const override { return stream_->peer(); }

@@ -54,6 +54,9 @@ class Connection {
     /// unsent, this frame is dropped whole, so framing never breaks and nothing blocks
     /// (reference 1.8). Returns false if dropped.
     virtual bool send(std::string_view payload) = 0;
+    /// True if the connection is open and nothing of an earlier frame is unsent: whoever composes
+    /// frames for watchers need not compose one that send() would drop.
+    virtual bool ready() = 0;
     virtual bool closed() const = 0;                  ///< by the peer, by an error or by close()
     virtual const std::string& close_reason() const = 0;  ///< "peer closed", "frame of 4294967295 bytes announced, limit 65536", ...
     virtual const std::string& peer() const = 0;      ///< "127.0.0.1:51234"

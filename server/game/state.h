@@ -15,6 +15,7 @@ struct GameState {
     PlayMode mode = PlayMode::BeforeKickOff;
     double time = 0.0;        ///< game time, s: stands still in BeforeKickOff and GameOver
     double mode_time = 0.0;   ///< simulated time since the mode was entered, s
+    int half = 1;             ///< 1 or 2
     int score_left = 0;
     int score_right = 0;
     std::string team_left, team_right;  ///< empty until known

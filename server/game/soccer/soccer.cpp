@@ -41,7 +41,7 @@ bool Soccer::beam_allowed() const {
 }
 
 void Soccer::kick_off(wire::Side side) {
-    const bool left = side == wire::Side::Left || (side == wire::Side::None && half_ == 1);
+    const bool left = side == wire::Side::Left || (side == wire::Side::None && state_.half == 1);
     state_.enter(left ? PlayMode::KickOffLeft : PlayMode::KickOffRight);
 }
 
@@ -81,10 +81,10 @@ void Soccer::after_step(body::Scene& scene) {
     } else if (state_.mode == PlayMode::PlayOn) {
         check_goal(scene);
     }
-    if (half_ == 1 && state_.time >= config_.half_time) {
-        half_ = 2;
+    if (state_.half == 1 && state_.time >= config_.half_time) {
+        state_.half = 2;
         state_.enter(PlayMode::BeforeKickOff);
-    } else if (half_ == 2 && state_.time >= 2.0 * config_.half_time && !over()) {
+    } else if (state_.half == 2 && state_.time >= 2.0 * config_.half_time && !over()) {
         state_.enter(PlayMode::GameOver);
     }
 }

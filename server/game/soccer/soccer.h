@@ -41,7 +41,6 @@ class Soccer {
 
     SoccerConfig config_;
     GameState state_;
-    int half_ = 1;
 };
 
 }  // namespace k3d::server::game

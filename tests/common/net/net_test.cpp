@@ -78,6 +78,7 @@ TEST(Net, FramesBothWays) {
     EXPECT_EQ(server.frame(connection), "(init)");
     EXPECT_EQ(server.frame(connection), "");
     EXPECT_EQ(server.frame(connection), "(syn)");
+    EXPECT_TRUE(connection.ready());
     EXPECT_TRUE(connection.send("(time (now 1.00))"));
     EXPECT_TRUE(connection.send("(See )"));
     std::string_view payload;
@@ -98,6 +99,7 @@ TEST(Net, LastFramesOfAPeerThatLeftAreStillRead) {
     Connection& connection = *server.connections[0];
     EXPECT_EQ(server.frame(connection), "(killsim)");
     EXPECT_THAT(server.frame(connection), testing::StartsWith("closed: "));
+    EXPECT_FALSE(connection.ready());
     EXPECT_FALSE(connection.send("(late)"));
 }
 

@@ -14,7 +14,7 @@ constexpr int kGracePercepts = 5;
 }  // namespace
 
 bool Simulation::everybody_synced() {
-    bool everybody = true;
+    bool everybody = !serves_monitors() || monitors_.read();
     for (const auto& agent : agents_) {
         agent->read_frames();  // of newcomers too: their faults must not wait for the others
         const bool waited_for = agent->player && !agent->connection->closed() &&
@@ -143,9 +143,9 @@ void Simulation::carry_out_stored_commands() {
 }
 
 void Simulation::obey_trainers() {
-    constexpr int kMonitorCycles = 2;  // the monitor port is served every 40 ms (reference 2.4)
-    if (clock_.count % kMonitorCycles != 0) return;
-    for (const wire::TrainerCommand& command : monitors_.read()) {
+    if (!serves_monitors()) return;
+    monitors_.read();
+    for (const wire::TrainerCommand& command : monitors_.take_commands()) {
         const game::TrainerEffect effect = game::apply(command, *scene_, game_);
         end_ = end_ || effect.end_simulation;
         if (!effect.killed) continue;

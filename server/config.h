@@ -18,12 +18,28 @@ struct NetworkConfig {
     int agent_port = 3100;
     int server_port = 3200;
     int http_port = -1;
+    std::string trainers = "all";
 
     void describe(config::Fields& f) {
         f.text("listen", listen, {}, "address of all ports");
         f.integer("agent_port", agent_port, {0, 65535}, "", "for agents; 0 = any free port");
-        f.integer("server_port", server_port, {0, 65535}, "", "for trainers; 0 = any free port");
+        f.integer("server_port", server_port, {0, 65535}, "", "for monitors and trainers; 0 = any free port");
         f.integer("http_port", http_port, {-1, 65535}, "", "for the page; 0 = any, -1 = no page");
+        f.text("trainers", trainers, {"all", "loopback", "off"},
+               "who may command at the server port: all peers, those of this machine, nobody; "
+               "anybody may watch");
+    }
+};
+
+struct MonitorConfig {
+    double log_interval = 0.2;
+    double log_full_interval = 3.0;
+
+    void describe(config::Fields& f) {
+        f.number("log_interval", log_interval, {0.02, 60.0}, "s",
+                 "simulated time between two frames of the monitor log");
+        f.number("log_full_interval", log_full_interval, {0.02, 3600.0}, "s",
+                 "simulated time between its full frames, to which viewers can jump");
     }
 };
 
@@ -51,6 +67,7 @@ struct Config {
     std::string left_team;
     std::string right_team;
     NetworkConfig network;
+    MonitorConfig monitor;
     PaceConfig pace;
     percepts::VisionConfig vision;
     effectors::BeamConfig beam;
@@ -66,6 +83,7 @@ struct Config {
         f.text("left_team", left_team, {}, "name reserved for the left side; empty: first come");
         f.text("right_team", right_team, {}, "name reserved for the right side; empty: second come");
         f.section("network", network);
+        f.section("monitor", monitor);
         f.section("pace", pace);
         f.section("vision", vision);
         f.section("beam", beam);

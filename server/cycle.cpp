@@ -25,7 +25,7 @@ void Simulation::run_cycle() {
     update_game();
     // 7. The clock.
     ++clock_;
-    // 8. Percepts for the next cycle, and the page.
+    // 8. Percepts for the next cycle; monitors and the page.
     sense();
     show();
 }
@@ -37,6 +37,7 @@ void Simulation::read_commands() {
         for (const auto& agent : agents_) {
             if (agent->player && !agent->synced) lose(*agent, "hung");
         }
+        if (serves_monitors()) monitors_.close_hung();
     }
     drop_closed_agents();
     for (const auto& agent : agents_) {

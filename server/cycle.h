@@ -13,6 +13,8 @@
 #include "server/body/scene.h"
 #include "server/config.h"
 #include "server/game/game.h"
+#include "server/monitor/frames.h"
+#include "server/recording/monitor_log.h"
 #include "server/session/agent_session.h"
 #include "server/session/monitors.h"
 #include "server/session/pacer.h"
@@ -27,10 +29,17 @@ enum class Outcome { Done, AgentLost, Stopped };
 /// Agents see GameOver for this long before the episode's processes are let go.
 inline constexpr int kGameOverCycles = 10;
 
+/// Files that a run writes or reads; empty: none.
+struct Files {
+    std::string results;      ///< receives one line per keepaway episode
+    std::string monitor_log;  ///< for monitors to play
+    std::string web_folder;   ///< of the page
+};
+
 class Simulation {
   public:
-    /// Opens all ports. Throws net::NetError. `results` receives one line per keepaway episode.
-    Simulation(const Config& config, std::string results_file, std::string web_folder);
+    /// Opens all ports and files. Throws net::NetError, std::runtime_error.
+    Simulation(const Config& config, const Files& files);
 
     /// "ready agent=40123 monitor=40124 http=40125"
     std::string ready_line() const;
@@ -49,6 +58,10 @@ class Simulation {
     void update_game();
     void sense();
     void show();
+    void show_page();
+    void tell_monitors();
+    void log_for_monitors();
+    bool serves_monitors() const;
 
     // Agents and seats (agents.cpp).
     bool everybody_synced();
@@ -63,19 +76,25 @@ class Simulation {
     // Keepaway's way from lobby to result (episode.cpp).
     bool in_lobby() const { return lobby_; }
     void lobby_cycle();
+    void obey_trainers_in_lobby();
     void begin_episode();
     void begin_percepts(session::AgentSession& agent);
     void finish_episode();
     void check_lobby_deadline();
 
     Config config_;
-    std::string results_file_;
+    Files files_;
     net::Loop loop_;
     session::Pacer pacer_;
     std::vector<std::unique_ptr<session::AgentSession>> agents_;  ///< by (team, number) once seated
     session::Teams teams_;
-    net::Listener agent_listener_;
     session::Monitors monitors_;
+    int next_connection_ = 1;  ///< number of the next connection to either port
+    net::Listener agent_listener_;
+    net::Listener monitor_listener_;
+    monitor::SceneGraph graph_;
+    monitor::Frames frames_;
+    std::optional<recording::MonitorLog> monitor_log_;
     std::optional<viewer::Viewer> viewer_;
     viewer::SceneView view_;
 

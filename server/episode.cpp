@@ -27,32 +27,40 @@ std::uint16_t port(int number) { return static_cast<std::uint16_t>(number); }
 
 }  // namespace
 
-Simulation::Simulation(const Config& config, std::string results_file, std::string web_folder)
+Simulation::Simulation(const Config& config, const Files& files)
     : config_(config),
-      results_file_(std::move(results_file)),
+      files_(files),
       pacer_(config.pace),
       teams_(config.left_team, config.right_team,
              is_keepaway(config) ? config.keepaway.keepers : kSoccerSeats,
              is_keepaway(config) ? config.keepaway.takers : kSoccerSeats),
+      monitors_(pacer_.waits_for_agents()),
       agent_listener_(loop_, config.network.listen, port(config.network.agent_port),
                       [this](std::unique_ptr<net::Connection> accepted) {
                           agents_.push_back(
                               std::make_unique<session::AgentSession>(std::move(accepted)));
                       }),
-      monitors_(loop_, config.network.listen, port(config.network.server_port)),
+      monitor_listener_(loop_, config.network.listen, port(config.network.server_port),
+                        [this](std::unique_ptr<net::Connection> accepted) {
+                            const bool commands = session::may_command(config_.network.trainers,
+                                                                       accepted->peer());
+                            monitors_.accept(std::move(accepted), next_connection_++, commands);
+                        }),
       scene_(std::make_unique<body::Scene>()),
       game_(game::Soccer(config.soccer)),
       lobby_(is_keepaway(config)),
       lobby_since_(net::Clock::now()) {
     if (config.network.http_port >= 0) {
-        viewer_.emplace(loop_, config.network.listen, port(config.network.http_port), web_folder);
+        viewer_.emplace(loop_, config.network.listen, port(config.network.http_port),
+                        files.web_folder);
     }
+    if (!files.monitor_log.empty()) monitor_log_.emplace(files.monitor_log, config.monitor);
     if (lobby_) clock_.count = kLobbyPercepts;
 }
 
 std::string Simulation::ready_line() const {
     std::string line =
-        fmt::format("ready agent={} monitor={}", agent_listener_.port(), monitors_.port());
+        fmt::format("ready agent={} monitor={}", agent_listener_.port(), monitor_listener_.port());
     if (viewer_) line += fmt::format(" http={}", viewer_->port());
     return line;
 }
@@ -77,6 +85,7 @@ void Simulation::lobby_cycle() {
         });
     });
     drop_closed_agents();
+    obey_trainers_in_lobby();
     static const game::GameState kWaiting;
     for (const auto& agent : agents_) {
         agent->read_frames();
@@ -98,6 +107,19 @@ void Simulation::lobby_cycle() {
         check_lobby_deadline();
     }
     show();
+}
+
+void Simulation::obey_trainers_in_lobby() {
+    monitors_.read();
+    for (const wire::TrainerCommand& command : monitors_.take_commands()) {
+        if (std::holds_alternative<wire::KillSimCommand>(command)) {
+            end_ = true;
+        } else {
+            std::string text;
+            wire::encode(command, text);
+            spdlog::warn("trainer's {} ignored: the match has not begun", text);
+        }
+    }
 }
 
 void Simulation::check_lobby_deadline() {
@@ -159,10 +181,10 @@ void Simulation::finish_episode() {
         spdlog::info("episode {}: {} ({}), hold time {:.2f} s, {} kicks, {} passes", episode_,
                      episode::name(result.status), result.reason, result.hold_time_s, result.kicks,
                      result.passes_completed);
-        if (!results_file_.empty()) {
-            std::ofstream file(results_file_, std::ios::app);
+        if (!files_.results.empty()) {
+            std::ofstream file(files_.results, std::ios::app);
             file << line << '\n' << std::flush;
-            if (!file) spdlog::error("cannot write results to {}", results_file_);
+            if (!file) spdlog::error("cannot write results to {}", files_.results);
         }
         if (result.status == episode::Status::AgentLost) outcome_ = Outcome::AgentLost;
         if (episode_ < config_.episodes && result.status != episode::Status::AgentLost) {

@@ -21,14 +21,14 @@ constexpr int kExitAgentLost = 3;
 /// What the command line asks for beyond the configuration.
 struct Options {
     k3d::config::CommandLine line;
-    std::string results;
-    std::string web_folder;
+    k3d::server::Files files;
 };
 
 /// Flags that are short names of configuration paths.
 const std::vector<k3d::config::ShortFlag> kFlags{
     {"--agent-port", "network.agent_port", "port for agents, 0 = any (default 3100)"},
-    {"--server-port", "network.server_port", "port for trainers, 0 = any (default 3200)"},
+    {"--server-port", "network.server_port", "port for monitors, 0 = any (default 3200)"},
+    {"--trainers", "network.trainers", "who may command there: all, loopback or off"},
     {"--http", "network.http_port", "port of the page, 0 = any (default: no page)"},
     {"--listen", "network.listen", "address to listen on (default 127.0.0.1)"},
     {"--pace", "pace.mode", "realtime, sync or fast (default realtime)"},
@@ -60,8 +60,10 @@ void add_flags(CLI::App& app, Options& options) {
     app.add_flag_callback(
         "--ground-truth", [&settings] { settings.emplace_back("vision.ground_truth", "true"); },
         "adds mypos, myorien and ballpos to See");
-    app.add_option("--results", options.results, "file to append one JSON line per episode to");
-    app.add_option("--web-folder", options.web_folder, "folder of the page (default ../web)");
+    app.add_option("--results", options.files.results, "file to append one JSON line per episode to");
+    app.add_option("--monitor-log", options.files.monitor_log,
+                   "file to write the match to, for monitors to play");
+    app.add_option("--web-folder", options.files.web_folder, "folder of the page (default ../web)");
 }
 
 int run(const Options& options) {
@@ -72,10 +74,11 @@ int run(const Options& options) {
         std::cout << k3d::config::print(k3d::config::describing(config));
         return 0;
     }
-    k3d::server::Simulation simulation(
-        config, options.results,
-        options.web_folder.empty() ? k3d::server::viewer::web_folder_beside_program()
-                                   : options.web_folder);
+    k3d::server::Files files = options.files;
+    if (files.web_folder.empty()) {
+        files.web_folder = k3d::server::viewer::web_folder_beside_program();
+    }
+    k3d::server::Simulation simulation(config, files);
     std::signal(SIGINT, [](int) { stop_requested = 1; });
     std::signal(SIGTERM, [](int) { stop_requested = 1; });
     std::signal(SIGPIPE, SIG_IGN);

@@ -1,10 +1,44 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Simulation: what the page is shown, only while somebody watches.
+// Simulation: what monitors and the page are shown, made only while somebody watches.
 #include "server/cycle.h"
 
 namespace k3d::server {
 
 void Simulation::show() {
+    tell_monitors();
+    log_for_monitors();
+    show_page();
+}
+
+bool Simulation::serves_monitors() const {
+    constexpr int kMonitorCycles = 2;  // the monitor port is served every 40 ms (reference 2.4)
+    return clock_.count % kMonitorCycles == 0;
+}
+
+void Simulation::tell_monitors() {
+    if (!in_lobby() && !serves_monitors()) return;
+    const monitor::GameView view = monitor::view_of(game::state(game_), config_.soccer.half_time);
+    const auto graph = [this]() -> const monitor::SceneGraph& {
+        graph_.update(*scene_);
+        return graph_;
+    };
+    const session::FrameSource source{[&] { return frames_.full(graph(), view); },
+                                      [&] { return frames_.difference(graph(), view); }};
+    if (in_lobby()) {
+        monitors_.greet(source);  // time stands still
+    } else {
+        monitors_.send(source);
+    }
+}
+
+void Simulation::log_for_monitors() {
+    if (!monitor_log_ || in_lobby() || !monitor_log_->due(clock_)) return;
+    graph_.update(*scene_);
+    monitor_log_->add(clock_, graph_,
+                      monitor::view_of(game::state(game_), config_.soccer.half_time));
+}
+
+void Simulation::show_page() {
     if (!viewer_ || !viewer_->watched()) return;
     const game::GameState& state = game::state(game_);
     view_.time = clock_.seconds();

@@ -78,7 +78,16 @@ bool decode_player(const Node& list, int& unum, Side& team) {
     return true;
 }
 
+/// Whether `(battery v)` or `(temperature v)` is told, which the simulation has no use for.
+bool decode_legacy(const Node& list) {
+    for (const std::string_view tag : {"battery", "temperature"}) {
+        if (const auto group = list.find(tag); group && numbers<1>(*group)) return true;
+    }
+    return false;
+}
+
 Decoded decode_agent(const Node& list) {
+    if (list.size() == 1) return ClearSelectedCommand{};
     AgentCommand command;
     if (!decode_player(list, command.unum, command.team)) return std::nullopt;
     if (const auto pos = list.find("pos")) {
@@ -88,6 +97,8 @@ Decoded decode_agent(const Node& list) {
             command.position = Vec3((*v)[0], (*v)[1], (*v)[2]);
             command.yaw_deg = (*v)[3];
         }
+    } else if (decode_legacy(list)) {
+        return command;
     }
     if (!command.position) return std::nullopt;
     return command;
@@ -96,7 +107,20 @@ Decoded decode_agent(const Node& list) {
 template <class Command>
 Decoded decode_player_command(const Node& list) {
     Command command;
-    if (!decode_player(list, command.unum, command.team)) return std::nullopt;
+    command.selected = list.size() == 1;
+    if (!command.selected && !decode_player(list, command.unum, command.team)) return std::nullopt;
+    return command;
+}
+
+Decoded decode_select(const Node& list) {
+    SelectCommand command;
+    if (list.size() == 1) {
+        command.who = SelectCommand::Who::Next;
+    } else if (list.size() == 2 && integer_in(list, "unum") == -1) {
+        command.who = SelectCommand::Who::Nobody;
+    } else if (!decode_player(list, command.unum, command.team)) {
+        return std::nullopt;
+    }
     return command;
 }
 
@@ -136,9 +160,11 @@ Decoded decode_one(const Node& node) {
     if (tag == "score") return decode_score(node);
     if (tag == "kill") return decode_player_command<KillCommand>(node);
     if (tag == "repos") return decode_player_command<ReposCommand>(node);
+    if (tag == "select") return decode_select(node);
     if (tag == "reqfullstate") return FullStateCommand{};
     if (tag == "killsim") return KillSimCommand{};
     if (tag == "syn") return TrainerSynCommand{};
+    if (tag == "init" || tag == "getAck") return IdleCommand{};
     return std::nullopt;
 }
 
@@ -181,9 +207,14 @@ struct Encoder {
     }
     void operator()(const AgentCommand& c) {
         player("agent", c.unum, c.team);
-        if (c.position) vector_group(c.yaw_deg ? "move" : "pos", *c.position, c.yaw_deg);
+        if (c.position) {
+            vector_group(c.yaw_deg ? "move" : "pos", *c.position, c.yaw_deg);
+        } else {
+            out += "(battery 0)";
+        }
         out += ')';
     }
+    void operator()(const ClearSelectedCommand&) { out += "(agent)"; }
     void operator()(const PlayModeCommand& c) {
         out += "(playMode ";
         out += c.mode;
@@ -208,16 +239,25 @@ struct Encoder {
         out += "))";
     }
     void operator()(const KillCommand& c) {
+        if (c.selected) return void(out += "(kill)");
         player("kill", c.unum, c.team);
         out += ')';
     }
     void operator()(const ReposCommand& c) {
+        if (c.selected) return void(out += "(repos)");
         player("repos", c.unum, c.team);
+        out += ')';
+    }
+    void operator()(const SelectCommand& c) {
+        if (c.who == SelectCommand::Who::Next) return void(out += "(select)");
+        if (c.who == SelectCommand::Who::Nobody) return void(out += "(select (unum -1))");
+        player("select", c.unum, c.team);
         out += ')';
     }
     void operator()(const FullStateCommand&) { out += "(reqfullstate)"; }
     void operator()(const KillSimCommand&) { out += "(killsim)"; }
     void operator()(const TrainerSynCommand&) { out += "(syn)"; }
+    void operator()(const IdleCommand&) { out += "(init)"; }
 };
 
 }  // namespace

@@ -20,6 +20,7 @@ struct Player {
     wire::Side team = wire::Side::None;
     int unum = 0;
     std::string team_name;
+    bool selected = false;                   ///< by a trainer: marked for monitors, acted on by some commands
     std::unique_ptr<Robot> robot;
 
     /// "left.3", the name of its random streams.

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "server/game/trainer.h"
 
-#include <cmath>
+#include <algorithm>
 
-#include "common/field/field.h"
+#include "server/game/clearing.h"
 
 namespace k3d::server::game {
 
@@ -34,26 +34,63 @@ struct Apply {
     void operator()(const wire::KickOffCommand& c) {
         if (Soccer* soccer = std::get_if<Soccer>(&game)) soccer->kick_off(c.side);
     }
-    void operator()(const wire::DropBallCommand&) { state(game).enter(PlayMode::PlayOn); }
+    void operator()(const wire::DropBallCommand&) {
+        settle_ball(scene);
+        clear_ball(scene);
+        state(game).enter(PlayMode::PlayOn);
+    }
     void operator()(const wire::TimeCommand& c) { state(game).time = c.time; }
     void operator()(const wire::ScoreCommand& c) {
         state(game).score_left = c.left;
         state(game).score_right = c.right;
     }
+    void operator()(const wire::ClearSelectedCommand&) {
+        for (const auto& player : scene.players) {
+            if (!player->selected) continue;
+            const Vec3 torso = player->robot->torso_position();
+            player->robot->move(sent_back(torso, torso, player->team));
+        }
+    }
     void operator()(const wire::KillCommand& c) {
-        if (const body::Player* player = scene.find(c.team, c.unum)) effect.killed = player->id;
+        if (const body::Player* player = meant(c)) effect.killed = player->id;
     }
     void operator()(const wire::ReposCommand& c) {
-        body::Player* player = scene.find(c.team, c.unum);
+        body::Player* player = meant(c);
         if (player == nullptr) return;
-        Vec3 torso = player->robot->torso_position();
-        torso.y() = std::copysign(field::kWidth / 2.0 + 0.5, torso.y());
-        torso.z() = field::kAgentRadius;
-        player->robot->move(torso);
+        player->robot->move(beside_field(scene.ball.position(), player->unum, player->team));
+    }
+    void operator()(const wire::SelectCommand& c) {
+        using Who = wire::SelectCommand::Who;
+        const body::Player* next = c.who == Who::Player ? scene.find(c.team, c.unum) : nullptr;
+        if (c.who == Who::Player && next == nullptr) return;
+        if (c.who == Who::Next) next = after_selected();
+        for (const auto& player : scene.players) player->selected = player.get() == next;
     }
     void operator()(const wire::FullStateCommand&) {}  // concerns the sender's stream alone
     void operator()(const wire::KillSimCommand&) { effect.end_simulation = true; }
     void operator()(const wire::TrainerSynCommand&) {}  // concerns the barrier alone
+    void operator()(const wire::IdleCommand&) {}
+
+    body::Player* selected() {
+        const auto found = std::find_if(scene.players.begin(), scene.players.end(),
+                                        [](const auto& player) { return player->selected; });
+        return found == scene.players.end() ? nullptr : found->get();
+    }
+    /// The player that kill or repos names, or the selected one.
+    template <class Command>
+    body::Player* meant(const Command& c) {
+        return c.selected ? selected() : scene.find(c.team, c.unum);
+    }
+    /// The player behind the selected one, else the first.
+    const body::Player* after_selected() {
+        const auto& players = scene.players;
+        if (players.empty()) return nullptr;
+        const body::Player* now = selected();
+        for (std::size_t i = 0; i + 1 < players.size(); ++i) {
+            if (players[i].get() == now) return players[i + 1].get();
+        }
+        return players.front().get();
+    }
 };
 
 }  // namespace

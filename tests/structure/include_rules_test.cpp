@@ -112,7 +112,8 @@ TEST(IncludeRules, ProgramsKnowOnlyCommonAndThemselves) {
 /// team-mates say is part of the world, and skills are what decisions choose from.
 const std::map<std::string, std::vector<std::string>> kStages = {
     {"server",
-     {"physics", "body", "effectors", "percepts", "game", "session", "recording", "viewer"}},
+     {"physics", "body", "effectors", "percepts", "game", "monitor", "session", "recording",
+      "viewer"}},
     {"agent",
      {"config", "kinematics", "motion", "talk", "perception", "localisation", "world", "skills",
       "decision", "action"}},

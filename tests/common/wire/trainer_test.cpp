@@ -36,7 +36,14 @@ TEST(TrainerDecode, EveryCommand) {
     EXPECT_EQ(rewritten("(time 0)(score (right 2)(left 1))"), "(time 0)(score (left 1)(right 2))");
     EXPECT_EQ(rewritten("(kill (unum 3)(team Left))(repos (unum 4)(team Right))"),
               "(kill (unum 3)(team Left))(repos (unum 4)(team Right))");
+    EXPECT_EQ(rewritten("(kill) (repos) (agent)"), "(kill)(repos)(agent)");
+    EXPECT_EQ(rewritten("(select (team Left)(unum 2))(select)(select (unum -1))"),
+              "(select (unum 2)(team Left))(select)(select (unum -1))");
     EXPECT_EQ(rewritten("(reqfullstate)(killsim)(syn)"), "(reqfullstate)(killsim)(syn)");
+    // Without effect here: only that they are no faults.
+    EXPECT_EQ(rewritten("(agent (unum 1)(team Left)(temperature 50))"),
+              "(agent (unum 1)(team Left)(battery 0))");
+    EXPECT_EQ(rewritten("(init)(getAck 3)"), "(init)(init)");
 }
 
 TEST(TrainerDecode, KeepsTheOrderOfTheFrame) {
@@ -48,13 +55,17 @@ TEST(TrainerDecode, KeepsTheOrderOfTheFrame) {
 }
 
 TEST(TrainerDecode, UnknownAndDamagedAreCountedAndTheRestStands) {
-    for (const char* text : {"(select)",
+    for (const char* text : {"(select (unum 1))",
+                             "(select (unum -2))",
+                             "(select (team Left))",
                              "(ball)",
                              "(ball (pos 1 2))",
                              "(ball (pos 1 2 nan))",
                              "(ball (pos 1 2 3 4))",
                              "(ball (pos 1 2 3) (vel 1 2 x))",
-                             "(agent)",
+                             "(agent (battery 1))",
+                             "(agent (unum 1)(team Left)(battery x))",
+                             "(agent (unum 1)(team Left)(rot 0 0 90))",
                              "(agent (unum 1)(team left)(pos 1 2 3))",
                              "(agent (unum 1)(team Left))",
                              "(agent (team Left)(pos 1 2 3))",
@@ -68,7 +79,6 @@ TEST(TrainerDecode, UnknownAndDamagedAreCountedAndTheRestStands) {
                              "(time x)",
                              "(score (left 1))",
                              "(score (left -1)(right 0))",
-                             "(kill)",
                              "(kill (unum 1))",
                              "(repos (unum a)(team Left))",
                              "atom",
@@ -98,7 +108,8 @@ RC_GTEST_PROP(Trainer, RoundTrip, ()) {
                                            TimeCommand{std::abs(exact())},
                                            ScoreCommand{*rc::gen::nonNegative<int>(), 0},
                                            KillCommand{unum(), side()},
-                                           ReposCommand{unum(), side()}};
+                                           ReposCommand{unum(), side()},
+                                           SelectCommand{unum(), side()}};
     const std::string text = text_of(sent);
     std::vector<TrainerCommand> read;
     RC_ASSERT(decode(text, read) == 0);

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The frames that monitors and logs get: full ones, and differences to the one before (reference 8).
+//
+//   frame := ((name value...)...)(RSG 0 1)(node...)     full
+//          | ((name value...)...)(RDS 0 1)(node...)     what changed since the last difference
+//
+// Numbers have six significant digits. A difference repeats the tree's shape, since readers match
+// nodes by position; it holds a transform only if an element moved by more than 0.005 since it was
+// last told, so a reader may be off by that much; a full frame is exact.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "server/game/state.h"
+#include "server/monitor/scene_graph.h"
+
+namespace k3d::server::monitor {
+
+/// What of the game is told.
+struct GameView {
+    double time = 0.0;
+    std::string team_left, team_right;  ///< empty: not told
+    int half = 1;
+    int score_left = 0, score_right = 0;
+    game::PlayMode mode = game::PlayMode::BeforeKickOff;
+    double half_time = 300.0;  ///< s, in full frames
+};
+
+GameView view_of(const game::GameState& state, double half_time);
+
+/// Composes the frames of one group of readers that are all told of every change.
+class Frames {
+  public:
+    std::string full(const SceneGraph& graph, const GameView& view) const;
+    /// The difference to the difference composed last. If the structure is another, a full frame:
+    /// nothing less would do for any reader.
+    std::string difference(const SceneGraph& graph, const GameView& view);
+
+  private:
+    bool tell(std::size_t node, const SceneGraph& graph);
+
+    int revision_ = 0;                ///< of the graph told last, 0 = none
+    std::vector<Matrix> transforms_;  ///< as told last, by node
+    std::vector<bool> visible_;
+    GameView game_;
+};
+
+}  // namespace k3d::server::monitor

@@ -18,12 +18,12 @@ bool Simulation::serves_monitors() const {
 void Simulation::tell_monitors() {
     if (!in_lobby() && !serves_monitors()) return;
     const monitor::GameView view = monitor::view_of(game::state(game_), config_.soccer.half_time);
-    const auto graph = [this]() -> const monitor::SceneGraph& {
+    if (monitors_.watched()) {
         graph_.update(*scene_);
-        return graph_;
-    };
-    const session::FrameSource source{[&] { return frames_.full(graph(), view); },
-                                      [&] { return frames_.difference(graph(), view); }};
+        if (frames_.restart(graph_, view)) monitors_.require_full();
+    }
+    const session::FrameSource source{[&] { return frames_.full(graph_, view); },
+                                      [&] { return frames_.difference(graph_, view); }};
     if (in_lobby()) {
         monitors_.greet(source);  // time stands still
     } else {

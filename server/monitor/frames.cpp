@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "common/field/field.h"
+#include "common/log/log.h"
 #include "common/sexpr/writer.h"
 
 namespace k3d::server::monitor {
@@ -136,20 +137,22 @@ std::string Frames::full(const SceneGraph& graph, const GameView& view) const {
     return out;
 }
 
-std::string Frames::difference(const SceneGraph& graph, const GameView& view) {
-    const std::vector<Node>& nodes = graph.nodes();
-    const bool other_structure = revision_ != graph.revision();
-    if (other_structure) {
-        revision_ = graph.revision();
-        transforms_.clear();
-        visible_.clear();
-        for (const Node& node : nodes) {
-            transforms_.push_back(node.transform);
-            visible_.push_back(node.visible);
-        }
-        game_ = view;
-        return full(graph, view);
+bool Frames::restart(const SceneGraph& graph, const GameView& view) {
+    if (revision_ == graph.revision()) return false;
+    revision_ = graph.revision();
+    transforms_.clear();
+    visible_.clear();
+    for (const Node& node : graph.nodes()) {
+        transforms_.push_back(node.transform);
+        visible_.push_back(node.visible);
     }
+    game_ = view;
+    return true;
+}
+
+std::string Frames::difference(const SceneGraph& graph, const GameView& view) {
+    K3D_ASSERT(revision_ == graph.revision());
+    const std::vector<Node>& nodes = graph.nodes();
     std::string out = "(";
     append_changes(view, game_, out);
     game_ = view;

@@ -32,9 +32,12 @@ GameView view_of(const game::GameState& state, double half_time);
 /// Composes the frames of one group of readers that are all told of every change.
 class Frames {
   public:
+    /// True if the graph's structure is another than at the last call: then nothing less than a full
+    /// frame will do for any reader, and the next difference builds on the present state.
+    bool restart(const SceneGraph& graph, const GameView& view);
+
     std::string full(const SceneGraph& graph, const GameView& view) const;
-    /// The difference to the difference composed last. If the structure is another, a full frame:
-    /// nothing less would do for any reader.
+    /// The difference to the difference before, or to the restart.
     std::string difference(const SceneGraph& graph, const GameView& view);
 
   private:

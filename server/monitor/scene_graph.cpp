@@ -9,8 +9,10 @@ namespace k3d::server::monitor {
 namespace {
 
 Matrix matrix(const Vec3& right, const Vec3& up, const Vec3& forward, const Vec3& position) {
-    return {right.x(),   right.y(),   right.z(),   0, up.x(),       up.y(),       up.z(),       0,
-            forward.x(), forward.y(), forward.z(), 0, position.x(), position.y(), position.z(), 1};
+    Matrix m{right.x(),   right.y(),   right.z(),   0, up.x(),       up.y(),       up.z(),       0,
+             forward.x(), forward.y(), forward.z(), 0, position.x(), position.y(), position.z(), 1};
+    for (double& element : m) element += 0.0;  // -0 becomes 0
+    return m;
 }
 
 Matrix moved(const Vec3& position) {

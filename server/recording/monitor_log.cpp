@@ -28,13 +28,11 @@ MonitorLog::MonitorLog(const std::string& file, const MonitorConfig& config)
 bool MonitorLog::due(Cycle now) const { return !failed_ && now.count % interval_ == 0; }
 
 void MonitorLog::add(Cycle now, const monitor::SceneGraph& graph, const monitor::GameView& view) {
-    // The difference is taken in any case: the next one builds on it.
-    std::string line = frames_.difference(graph, view);
-    if (now.count - last_full_ >= full_interval_) {
-        last_full_ = now.count;
-        line = frames_.full(graph, view);
-    }
-    file_ << line << '\n' << std::flush;
+    const bool other_structure = frames_.restart(graph, view);
+    const bool full = other_structure || now.count - last_full_ >= full_interval_;
+    if (full) last_full_ = now.count;
+    file_ << (full ? frames_.full(graph, view) : frames_.difference(graph, view)) << '\n'
+          << std::flush;
     if (file_) return;
     failed_ = true;  // a full disk must not end the match
     spdlog::error("cannot write to monitor log {}: it ends at {:.2f} s", name_, now.seconds());

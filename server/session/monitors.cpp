@@ -13,7 +13,8 @@ namespace {
 /// The frame as a trainer in the barrier gets it: to be answered.
 std::string with_syn(const std::string& frame) {
     std::string text = frame;
-    const std::size_t end_of_state = text.find(")(R");
+    std::size_t end_of_state = text.find(")(RDS 0 1)(");
+    if (end_of_state == std::string::npos) end_of_state = text.find(")(RSG 0 1)(");
     K3D_ASSERT(end_of_state != std::string::npos);
     return text.insert(end_of_state, "(syn 1)");
 }
@@ -110,6 +111,10 @@ void Monitors::close_hung() {
 bool Monitors::watched() const {
     return std::ranges::any_of(monitors_,
                                [](const Monitor& monitor) { return monitor.connection->ready(); });
+}
+
+void Monitors::require_full() {
+    for (Monitor& monitor : monitors_) monitor.needs_full = true;
 }
 
 void Monitors::send(const FrameSource& source) {

@@ -48,6 +48,8 @@ class Monitors {
 
     /// Whether anybody would take a frame now.
     bool watched() const;
+    /// The next frame of everybody must be a full one.
+    void require_full();
     /// One frame for everybody; begins the barrier's next turn.
     void send(const FrameSource& source);
     /// A full frame for those outside the barrier that were told nothing yet or asked for it.

@@ -66,6 +66,7 @@ void Simulation::load_robot(session::AgentSession& agent) {
         if (!lobby_) {
             // The reference builds every robot at this spot, whence it drops until placed.
             agent.player = scene_->add_player(*type, {0.0, -1.0, 1.5}).id;
+            agent.just_built = true;
             begin_percepts(agent);
         }
     }
@@ -79,7 +80,7 @@ void Simulation::take_seat(session::AgentSession& agent) {
         spdlog::warn("{}: a second init is ignored", agent.name());
         return;
     }
-    const auto seat = teams_.assign(init);
+    const auto seat = teams_.assign(init, *agent.type);
     if (!seat) {
         spdlog::warn("{} gets no seat: {}", agent.name(), seat.error());
         return;
@@ -105,7 +106,8 @@ void Simulation::act(session::AgentSession& agent) {
         body::Robot& robot = *scene_->find(*agent.player)->robot;
         for (std::size_t j = 0; j < nao::kJointCount; ++j) {
             if (const auto& rate = commands.joint_rates[j]) {
-                robot.drive(static_cast<nao::JointId>(j), *rate);
+                const auto joint = static_cast<nao::JointId>(j);
+                robot.drive(joint, agent.self_collision.frozen(joint) ? 0.0 : *rate);
             }
         }
         for (const std::string& text : commands.say) say(agent, text);
@@ -124,6 +126,21 @@ void Simulation::say(session::AgentSession& agent, const std::string& text) {
     for (const auto& other : agents_) {
         if (other.get() == &agent || !other->player || !other->seat) continue;
         other->ear.hear_other(*scene_->find(*other->player), speaker, text, time);
+    }
+}
+
+void Simulation::judge_self_collisions() {
+    if (!config_.self_collision.freezes) return;
+    const bool paused = game::paused(game::state(game_).mode);
+    for (const auto& agent : agents_) {
+        if (!agent->player || !agent->seat) continue;
+        if (paused) {
+            agent->self_collision.release();
+        } else if (agent->self_collision.judge(*scene_->find(*agent->player)->robot,
+                                               clock_.seconds())) {
+            spdlog::debug("{}: limbs overlap and are frozen at {:.2f} s", agent->name(),
+                          clock_.seconds());
+        }
     }
 }
 

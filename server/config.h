@@ -7,6 +7,7 @@
 
 #include "common/config/fields.h"
 #include "server/effectors/beam.h"
+#include "server/effectors/self_collision.h"
 #include "server/game/keepaway/config.h"
 #include "server/game/soccer/soccer.h"
 #include "server/percepts/vision.h"
@@ -71,6 +72,7 @@ struct Config {
     PaceConfig pace;
     percepts::VisionConfig vision;
     effectors::BeamConfig beam;
+    effectors::SelfCollisionConfig self_collision;
     game::KeepawayConfig keepaway;
     game::SoccerConfig soccer;
 
@@ -87,6 +89,7 @@ struct Config {
         f.section("pace", pace);
         f.section("vision", vision);
         f.section("beam", beam);
+        f.section("self_collision", self_collision);
         f.section("keepaway", keepaway);
         f.section("soccer", soccer);
     }

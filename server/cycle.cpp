@@ -3,6 +3,8 @@
 // at the end of the last cycle is sent now; hence the protocol's one cycle of latency.
 #include "server/cycle.h"
 
+#include <utility>
+
 #include "common/log/log.h"
 
 namespace k3d::server {
@@ -67,13 +69,14 @@ void Simulation::step_physics() {
 
 void Simulation::update_game() {
     game::after_step(game_, *scene_);
+    judge_self_collisions();
     if (game::over(game_)) finish_episode();
 }
 
 void Simulation::sense() {
     const game::GameState& state = game::state(game_);
     for (const auto& agent : agents_) {
-        if (!agent->player) continue;
+        if (!agent->player || std::exchange(agent->just_built, false)) continue;
         const body::Player& self = *scene_->find(*agent->player);
         agent->senses->after_step(*scene_, self, clock_.seconds(), agent->percepts);
         agent->add_game_percepts(state);

@@ -71,6 +71,7 @@ class Simulation {
     void take_seat(session::AgentSession& agent);
     void act(session::AgentSession& agent);
     void say(session::AgentSession& agent, const std::string& text);
+    void judge_self_collisions();
     void remove_player(session::AgentSession& agent);
 
     // Keepaway's way from lobby to result (episode.cpp).

@@ -33,7 +33,10 @@ Simulation::Simulation(const Config& config, const Files& files)
       pacer_(config.pace),
       teams_(config.left_team, config.right_team,
              is_keepaway(config) ? config.keepaway.keepers : kSoccerSeats,
-             is_keepaway(config) ? config.keepaway.takers : kSoccerSeats),
+             is_keepaway(config) ? config.keepaway.takers : kSoccerSeats,
+             is_keepaway(config) || !config.soccer.type_quotas
+                 ? std::nullopt
+                 : std::optional(session::TypeQuotas{})),
       monitors_(pacer_.waits_for_agents()),
       agent_listener_(loop_, config.network.listen, port(config.network.agent_port),
                       [this](std::unique_ptr<net::Connection> accepted) {
@@ -169,6 +172,7 @@ void Simulation::begin_percepts(session::AgentSession& agent) {
     agent.senses.emplace(config_.vision, RandomStream(seed, entity, "vision"));
     agent.beam_noise.emplace(seed, entity, "beam");
     agent.ear = {};
+    agent.self_collision.release();
 }
 
 void Simulation::finish_episode() {

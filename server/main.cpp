@@ -58,7 +58,12 @@ void add_flags(CLI::App& app, Options& options) {
            "on, or off: neither vision nor beams are noisy")
         ->check(CLI::IsMember({"on", "off"}));
     app.add_flag_callback(
-        "--ground-truth", [&settings] { settings.emplace_back("vision.ground_truth", "true"); },
+        "--ground-truth",
+        [&settings] {
+            for (const char* name : {"my_position", "my_orientation", "ball_position"}) {
+                settings.emplace_back(std::string("vision.") + name, "true");
+            }
+        },
         "adds mypos, myorien and ballpos to See");
     app.add_option("--results", options.files.results, "file to append one JSON line per episode to");
     app.add_option("--monitor-log", options.files.monitor_log,

@@ -14,6 +14,12 @@ enum class PlayMode {
     DirectFreeKickLeft, DirectFreeKickRight, PassLeft, PassRight,
 };
 
+/// Before kick-off and after a goal the game pauses: players may beam, no foul is judged.
+inline bool paused(PlayMode mode) {
+    return mode == PlayMode::BeforeKickOff || mode == PlayMode::GoalLeft ||
+           mode == PlayMode::GoalRight;
+}
+
 std::string_view name(PlayMode mode);
 std::optional<PlayMode> play_mode(std::string_view name);
 

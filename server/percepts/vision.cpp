@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "server/percepts/vision.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
+#include <vector>
 
 #include "common/field/field.h"
 
@@ -12,17 +12,57 @@ namespace k3d::server::percepts {
 
 namespace {
 
-/// Points on the edge of the pyramid must still count as inside after rounding.
-constexpr double kEdgeToleranceDeg = 1e-6;
-
 wire::Pol polar(const Vec3& in_head) {
     return {in_head.norm(), wrap_degrees(degrees(std::atan2(in_head.y(), in_head.x())) - 90.0),
             degrees(std::atan2(in_head.z(), std::hypot(in_head.x(), in_head.y())))};
 }
 
 bool in_view(const wire::Pol& pol) {
-    const double limit = kViewHalfAngleDeg + kEdgeToleranceDeg;
-    return std::abs(pol.theta_deg) <= limit && std::abs(pol.phi_deg) <= limit;
+    return std::abs(pol.theta_deg) <= kViewHalfAngleDeg && std::abs(pol.phi_deg) <= kViewHalfAngleDeg;
+}
+
+/// Of a line's end, calibration error included.
+bool visible(const Vec3& in_head) {
+    const wire::Pol pol = polar(in_head);
+    return pol.distance > kMinSeenDistance && in_view(pol);
+}
+
+/// Moves the end that lies behind the image plane onto it; false if both do.
+bool cut_at_image_plane(Vec3& begin, Vec3& end) {
+    constexpr double kPlane = kMinSeenDistance;
+    if (begin.y() < kPlane && end.y() < kPlane) return false;
+    if (begin.y() < kPlane) {
+        begin = end + (begin - end) * ((kPlane - end.y()) / (begin.y() - end.y()));
+    } else if (end.y() < kPlane) {
+        end = begin + (end - begin) * ((kPlane - begin.y()) / (end.y() - begin.y()));
+    }
+    return true;
+}
+
+/// Where the segment, all before the camera, crosses the sides of the view pyramid: at most two
+/// points, in the order top, bottom, left, right.
+std::vector<Vec3> crossings(const Vec3& begin, const Vec3& end) {
+    struct Side {
+        int across;   // the axis on which the side lies ...
+        double sign;  // ... in which direction
+        int along;    // the axis along which it runs
+    };
+    constexpr int kX = 0;
+    constexpr int kZ = 2;
+    constexpr std::array<Side, 4> kSides{
+        {{kZ, 1.0, kX}, {kZ, -1.0, kX}, {kX, -1.0, kZ}, {kX, 1.0, kZ}}};
+    static const double slope = std::tan(radians(kViewHalfAngleDeg));
+    std::vector<Vec3> points;
+    for (const Side& side : kSides) {
+        const double outside_begin = side.sign * begin[side.across] - slope * begin.y();
+        const double outside_end = side.sign * end[side.across] - slope * end.y();
+        if ((outside_begin > 0.0) == (outside_end > 0.0)) continue;
+        const double share = outside_begin / (outside_begin - outside_end);
+        const Vec3 point = begin + share * (end - begin);
+        const bool on_edge = std::abs(point[side.along]) <= slope * point.y();
+        if (on_edge && points.size() < 2) points.push_back(point);
+    }
+    return points;
 }
 
 }  // namespace
@@ -92,9 +132,7 @@ void Camera::see_lines(const View& view, wire::See& out) {
     for (const field::Line& line : field::lines()) {
         Vec3 begin = view({line.begin.x(), line.begin.y(), 0.0});
         Vec3 end = view({line.end.x(), line.end.y(), 0.0});
-        if (!clip_to_view(begin, end)) continue;
-        if (!in_view(polar(begin)) || !in_view(polar(end))) continue;
-        out.lines.push_back({noisy(begin), noisy(end)});
+        if (clip_to_view(begin, end)) out.lines.push_back({noisy(begin), noisy(end)});
     }
 }
 
@@ -107,38 +145,33 @@ void Camera::see(const body::Scene& scene, const body::Player& self, wire::See& 
     see_landmarks(view, out);
     out.ball = look_at(view, scene.ball.position());
     see_players(view, scene, out);
-    if (config_.ground_truth) {
+    if (config_.my_position) out.my_position = body::flipped(view.origin, self.team);
+    if (config_.my_orientation) {
         const Vec3 forward = body::flipped(rotation * Vec3::UnitY(), self.team);
-        out.my_position = body::flipped(view.origin, self.team);
         out.my_orientation_deg = degrees(std::atan2(forward.y(), forward.x()));
+    }
+    if (config_.ball_position) {
         out.ball_position = body::flipped(scene.ball.position(), self.team);
     }
     see_lines(view, out);
 }
 
 bool clip_to_view(Vec3& begin, Vec3& end) {
-    static const double slope = std::tan(radians(kViewHalfAngleDeg));
-    // Signed distances to the five planes: in front of the image plane, then the four sides.
-    const auto sides = [](const Vec3& p) {
-        return std::array<double, 5>{p.y() - kMinSeenDistance, slope * p.y() - p.x(),
-                                     slope * p.y() + p.x(), slope * p.y() - p.z(),
-                                     slope * p.y() + p.z()};
-    };
-    const std::array<double, 5> at_begin = sides(begin);
-    const std::array<double, 5> at_end = sides(end);
-    double enter = 0.0;
-    double leave = 1.0;
-    for (std::size_t k = 0; k < at_begin.size(); ++k) {
-        const double b = at_begin[k];
-        const double e = at_end[k];
-        if (b < 0.0 && e < 0.0) return false;
-        if (b < 0.0) enter = std::max(enter, b / (b - e));
-        if (e < 0.0) leave = std::min(leave, b / (b - e));
+    const bool sees_begin = visible(begin);
+    const bool sees_end = visible(end);
+    if (sees_begin && sees_end) return true;
+    Vec3 from = begin;
+    Vec3 to = end;
+    if (!cut_at_image_plane(from, to)) return false;
+    const std::vector<Vec3> edges = crossings(from, to);
+    if (edges.size() >= 2) {
+        begin = edges[0];
+        end = edges[1];
+        return true;
     }
-    if (enter > leave) return false;
-    const Vec3 whole = end - begin;
-    end = begin + leave * whole;
-    begin += enter * whole;
+    // One crossing makes one unseen end good; with none, or two unseen ends, the line is lost.
+    if (edges.empty() || (!sees_begin && !sees_end)) return false;
+    (sees_begin ? end : begin) = edges[0];
     return true;
 }
 

@@ -11,12 +11,16 @@ namespace k3d::server::percepts {
 struct VisionConfig {
     int interval = 3;           // cycles between See percepts
     bool noise = true;
-    bool ground_truth = false;  // mypos, myorien, ballpos
+    bool my_position = false;
+    bool my_orientation = false;
+    bool ball_position = false;
 
     void describe(config::Fields& f) {
-        f.integer("interval", interval, {1, 3}, "cycles", "a See percept every so many cycles");
+        f.integer("interval", interval, {2, 3}, "cycles", "a See percept every so many cycles");
         f.boolean("noise", noise, "distance and angle noise and the calibration offset");
-        f.boolean("ground_truth", ground_truth, "adds mypos, myorien and ballpos to See");
+        f.boolean("my_position", my_position, "true pose: See carries mypos, the head's position");
+        f.boolean("my_orientation", my_orientation, "true pose: See carries myorien");
+        f.boolean("ball_position", ball_position, "See carries ballpos, the ball's true position");
     }
 };
 
@@ -48,7 +52,10 @@ class Camera {
     Vec3 calibration_ = Vec3::Zero();
 };
 
-/// Cuts the segment to the view pyramid of a head frame (y forward); false if nothing is left.
+/// What is seen of a line in the head frame (y forward), by the reference's way; false if nothing.
+/// A line whose ends are both in view stays whole, be they outside the pyramid of a 60-degree image.
+/// One that crosses two sides of the pyramid is told by these points, in the order of the sides: top,
+/// bottom, left, right, which may turn it round.
 bool clip_to_view(Vec3& begin, Vec3& end);
 
 }  // namespace k3d::server::percepts

@@ -32,6 +32,13 @@ void AgentSession::send_percepts() {
     if (!percepts_ready || connection->closed() || !type) return;
     payload.clear();
     wire::encode(percepts, nao::model(*type), payload);
+    if (payload.size() > wire::kMaxPayloadToAgent && percepts.see) {
+        // Only with coordinates of hundreds of digits, which a trainer may set: no such sight then.
+        spdlog::warn("{}: a frame of {} bytes is sent without what is seen", name(), payload.size());
+        percepts.see.emplace();
+        payload.clear();
+        wire::encode(percepts, nao::model(*type), payload);
+    }
     K3D_ASSERT(payload.size() <= wire::kMaxPayloadToAgent);
     connection->send(payload);
     percepts_ready = false;

@@ -10,6 +10,7 @@
 #include "common/wire/commands.h"
 #include "common/wire/percepts.h"
 #include "server/effectors/hearing.h"
+#include "server/effectors/self_collision.h"
 #include "server/game/state.h"
 #include "server/percepts/senses.h"
 
@@ -31,9 +32,11 @@ struct AgentSession {
     std::string team_name;            ///< once `init` was read
     std::optional<Seat> seat;
     std::optional<int> player;        ///< id in the scene, once the robot stands there
+    bool just_built = false;          ///< its robot senses nothing in the cycle that builds it
     std::optional<percepts::Senses> senses;
     std::optional<RandomStream> beam_noise;
     effectors::Ear ear;
+    effectors::SelfCollision self_collision;
     bool lost = false;                ///< given up: closed, and its absence dealt with
     bool synced = false;              ///< has sent (syn) since the last percept
     int frames = 0;                   ///< read since the last percept

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace k3d::server::session {
 
 namespace {
@@ -11,23 +13,47 @@ constexpr int kMaxUnum = 11;
 std::size_t slot_of(wire::Side side) { return side == wire::Side::Left ? 0 : 1; }
 }  // namespace
 
-Teams::Teams(std::string left, std::string right, int left_seats, int right_seats)
-    : names_{std::move(left), std::move(right)}, seats_{left_seats, right_seats} {}
+Teams::Teams(std::string left, std::string right, int left_seats, int right_seats,
+             std::optional<TypeQuotas> quotas)
+    : names_{std::move(left), std::move(right)},
+      seats_{left_seats, right_seats},
+      quotas_(quotas) {}
 
-tl::expected<Seat, std::string> Teams::assign(const wire::InitCommand& init) {
-    std::size_t slot = 0;
-    if (init.team == names_[0]) {
-        slot = 0;
-    } else if (init.team == names_[1]) {
-        slot = 1;
-    } else if (names_[0].empty() || names_[1].empty()) {
-        slot = names_[0].empty() ? 0 : 1;
-    } else {
-        return tl::unexpected(fmt::format("third team '{}': the match is '{}' against '{}'",
-                                          init.team, names_[0], names_[1]));
+tl::expected<Seat, std::string> Teams::assign(const wire::InitCommand& init, int type) {
+    const auto slot = slot_for(init.team);
+    if (!slot) return tl::unexpected(slot.error());
+    const auto unum = number_for(*slot, init);
+    if (!unum) return tl::unexpected(unum.error());
+    if (const auto broken = broken_quota(taken_[*slot], type)) {
+        return tl::unexpected(fmt::format("team '{}': {}", init.team, *broken));
     }
-    if (init.team.empty()) return tl::unexpected(std::string("no team name"));
-    std::set<int>& taken = taken_[slot];
+    taken_[*slot].emplace(*unum, type);
+    names_[*slot] = init.team;
+    return Seat{*slot == 0 ? wire::Side::Left : wire::Side::Right, *unum};
+}
+
+tl::expected<std::size_t, std::string> Teams::slot_for(const std::string& team) const {
+    if (team.empty()) return tl::unexpected(std::string("no team name"));
+    if (team.size() > kMaxTeamName) {
+        return tl::unexpected(fmt::format("team name '{}...' is longer than {} bytes",
+                                          team.substr(0, kMaxTeamName), kMaxTeamName));
+    }
+    if (!std::all_of(team.begin(), team.end(), [](char c) { return c > 0x20 && c < 0x7F; })) {
+        return tl::unexpected(fmt::format("team name '{}' is not printable ASCII", team));
+    }
+    for (const std::size_t slot : {0, 1}) {
+        if (team == names_[slot]) return slot;
+    }
+    for (const std::size_t slot : {0, 1}) {
+        if (names_[slot].empty()) return slot;
+    }
+    return tl::unexpected(fmt::format("third team '{}': the match is '{}' against '{}'", team,
+                                      names_[0], names_[1]));
+}
+
+tl::expected<int, std::string> Teams::number_for(std::size_t slot,
+                                                 const wire::InitCommand& init) const {
+    const Players& taken = taken_[slot];
     if (static_cast<int>(taken.size()) >= seats_[slot]) {
         return tl::unexpected(
             fmt::format("team '{}' already has its {} players", init.team, seats_[slot]));
@@ -44,11 +70,31 @@ tl::expected<Seat, std::string> Teams::assign(const wire::InitCommand& init) {
         return tl::unexpected(fmt::format("number {} of team '{}': this game has numbers 1..{}",
                                           unum, init.team, seats_[slot]));
     }
-    if (!taken.insert(unum).second) {
+    if (taken.contains(unum)) {
         return tl::unexpected(fmt::format("number {} of team '{}' is taken", unum, init.team));
     }
-    names_[slot] = init.team;
-    return Seat{slot == 0 ? wire::Side::Left : wire::Side::Right, unum};
+    return unum;
+}
+
+std::optional<std::string> Teams::broken_quota(const Players& players, int type) const {
+    if (!quotas_) return std::nullopt;
+    std::map<int, int> count;
+    for (const auto& [unum, of] : players) ++count[of];
+    const int same = ++count[type];
+    if (same > quotas_->of_one_type) {
+        return fmt::format("more than {} robots of type {}", quotas_->of_one_type, type);
+    }
+    for (const auto& [other, others] : count) {
+        if (other != type && same + others > quotas_->of_two_types) {
+            return fmt::format("more than {} robots of types {} and {}", quotas_->of_two_types,
+                               other, type);
+        }
+    }
+    const int still_to_come = kMaxUnum - static_cast<int>(players.size()) - 1;
+    if (static_cast<int>(count.size()) + still_to_come < quotas_->different) {
+        return fmt::format("no room would be left for {} different types", quotas_->different);
+    }
+    return std::nullopt;
 }
 
 void Teams::release(const Seat& seat) { taken_[slot_of(seat.team)].erase(seat.unum); }

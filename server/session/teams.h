@@ -2,7 +2,8 @@
 // Which side and number an agent gets (reference 1.6).
 #pragma once
 
-#include <set>
+#include <map>
+#include <optional>
 #include <string>
 
 #include <tl/expected.hpp>
@@ -12,14 +13,26 @@
 
 namespace k3d::server::session {
 
+/// A team's name stands in each See of each player: with names of at most this length a frame in which
+/// all 22 are seen still fits wire::kMaxPayloadToAgent.
+inline constexpr std::size_t kMaxTeamName = 32;
+
+/// How a team of eleven must mix its robot types (reference 1.6).
+struct TypeQuotas {
+    int of_one_type = 7;
+    int of_two_types = 9;  ///< together
+    int different = 3;     ///< in a full team
+};
+
 class Teams {
   public:
     /// `left` and `right` reserve names; empty ones go to the first names that come. At most
-    /// `left_seats` and `right_seats` players, numbers 1..11.
-    Teams(std::string left, std::string right, int left_seats, int right_seats);
+    /// `left_seats` and `right_seats` players, numbers 1..11. Without quotas all types are welcome.
+    Teams(std::string left, std::string right, int left_seats, int right_seats,
+          std::optional<TypeQuotas> quotas);
 
     /// The seat, or why there is none ("third team 'C': the match is A against B").
-    tl::expected<Seat, std::string> assign(const wire::InitCommand& init);
+    tl::expected<Seat, std::string> assign(const wire::InitCommand& init, int type);
     void release(const Seat& seat);
 
     bool full() const;
@@ -29,9 +42,16 @@ class Teams {
     std::string missing() const;
 
   private:
+    using Players = std::map<int, int>;  ///< number -> robot type
+
+    tl::expected<std::size_t, std::string> slot_for(const std::string& team) const;
+    tl::expected<int, std::string> number_for(std::size_t slot, const wire::InitCommand& init) const;
+    std::optional<std::string> broken_quota(const Players& players, int type) const;
+
     std::string names_[2];
     int seats_[2];
-    std::set<int> taken_[2];
+    std::optional<TypeQuotas> quotas_;
+    Players taken_[2];
 };
 
 }  // namespace k3d::server::session

@@ -10,9 +10,12 @@ namespace k3d::server::game {
 
 struct SoccerConfig {
     double half_time = 300.0;
+    bool type_quotas = true;
 
     void describe(config::Fields& f) {
         f.number("half_time", half_time, {1.0, 36000.0}, "s", "length of each of the two halves");
+        f.boolean("type_quotas", type_quotas,
+                  "a team has at most 7 robots of one type and 9 of two types, and 3 types in all");
     }
 };
 

@@ -114,32 +114,61 @@ TEST_F(Vision, LinesEndInsideTheView) {
 }
 
 TEST_F(Vision, GroundTruthIsSentOnlyWhenAskedFor) {
-    EXPECT_FALSE(look({}).my_position);
+    const wire::See plain = look({});
+    EXPECT_FALSE(plain.my_position || plain.my_orientation_deg || plain.ball_position);
+    const wire::See one = look({.my_orientation = true});
+    EXPECT_TRUE(one.my_orientation_deg);
+    EXPECT_FALSE(one.my_position || one.ball_position) << "each has its own switch";
     self.team = wire::Side::Right;
-    const wire::See see = look({.ground_truth = true});
+    const wire::See see = look({.my_position = true, .my_orientation = true, .ball_position = true});
     ASSERT_TRUE(see.my_position && see.my_orientation_deg && see.ball_position);
     EXPECT_NEAR(see.my_position->x(), 7.0, 1e-9) << "the right team sees the field turned";
     EXPECT_NEAR(std::abs(*see.my_orientation_deg), 180.0, 1e-6);
 }
 
-TEST(Clipping, KeepsWhatIsInFrontAndInside) {
+TEST(Clipping, KeepsALineWhoseEndsAreBothInView) {
     Vec3 begin(0, 1, 0);
     Vec3 end(0, 5, 0);
     EXPECT_TRUE(clip_to_view(begin, end));
     EXPECT_EQ(begin, Vec3(0, 1, 0));
     EXPECT_EQ(end, Vec3(0, 5, 0));
+    // 45 degrees to the side and 58 down: outside the pyramid, yet no angle is beyond 60 degrees.
+    const Vec3 corner(-1, 1, -std::sqrt(2.0) * std::tan(radians(58.0)));
+    begin = corner;
+    EXPECT_TRUE(clip_to_view(begin, end));
+    EXPECT_EQ(begin, corner);
+}
+
+TEST(Clipping, CutsAnUnseenEndAtThePyramid) {
+    const double slope = std::tan(radians(60.0));
+    Vec3 begin(-10, 1, 0);
+    Vec3 end(0, 1, 0);
+    EXPECT_TRUE(clip_to_view(begin, end));
+    EXPECT_NEAR(begin.x(), -slope, 1e-9);
+    EXPECT_EQ(end, Vec3(0, 1, 0));
+    begin = {0, 3, -0.5};
+    end = {0, -5, -0.5};  // runs under the camera to behind it
+    EXPECT_TRUE(clip_to_view(begin, end));
+    EXPECT_EQ(begin, Vec3(0, 3, -0.5));
+    EXPECT_NEAR(end.y(), 0.5 / slope, 1e-9);
+}
+
+TEST(Clipping, TellsALineThatCrossesTheViewFromTopToBottomAndLeftToRight) {
+    const double slope = std::tan(radians(60.0));
+    Vec3 begin(10, 1, 0);
+    Vec3 end(-10, 1, 0);
+    EXPECT_TRUE(clip_to_view(begin, end));
+    EXPECT_NEAR(begin.x(), -slope, 1e-9) << "turned round";
+    EXPECT_NEAR(end.x(), slope, 1e-9);
+}
+
+TEST(Clipping, LeavesOutWhatIsNotSeen) {
+    Vec3 begin(0, -5, 0);
+    Vec3 end(1, -1, 0);
+    EXPECT_FALSE(clip_to_view(begin, end)) << "behind";
     begin = {-10, 1, 0};
-    end = {10, 1, 0};
-    EXPECT_TRUE(clip_to_view(begin, end));
-    EXPECT_NEAR(begin.x(), -std::tan(radians(60.0)), 1e-9);
-    EXPECT_NEAR(end.x(), std::tan(radians(60.0)), 1e-9);
-    begin = {0, -5, 0};
-    end = {0, 5, 0};
-    EXPECT_TRUE(clip_to_view(begin, end));
-    EXPECT_NEAR(begin.y(), kMinSeenDistance, 1e-9);
-    begin = {0, -5, 0};
-    end = {1, -1, 0};
-    EXPECT_FALSE(clip_to_view(begin, end));
+    end = {-10, 2, 0};
+    EXPECT_FALSE(clip_to_view(begin, end)) << "beside";
 }
 
 }  // namespace

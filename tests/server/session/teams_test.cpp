@@ -8,52 +8,88 @@ namespace k3d::server::session {
 namespace {
 
 TEST(Teams, FirstNameIsLeftSecondIsRightThirdIsRefused) {
-    Teams teams("", "", 11, 11);
-    EXPECT_EQ(teams.assign({3, "Reds"})->team, wire::Side::Left);
-    EXPECT_EQ(teams.assign({3, "Blues"})->team, wire::Side::Right);
-    const auto third = teams.assign({1, "Greens"});
+    Teams teams("", "", 11, 11, std::nullopt);
+    EXPECT_EQ(teams.assign({3, "Reds"}, 0)->team, wire::Side::Left);
+    EXPECT_EQ(teams.assign({3, "Blues"}, 0)->team, wire::Side::Right);
+    const auto third = teams.assign({1, "Greens"}, 0);
     ASSERT_FALSE(third);
     EXPECT_EQ(third.error(), "third team 'Greens': the match is 'Reds' against 'Blues'");
 }
 
 TEST(Teams, ReservedNamesDoNotDependOnWhoComesFirst) {
-    Teams teams("Keepers", "Takers", 3, 2);
-    EXPECT_EQ(teams.assign({1, "Takers"})->team, wire::Side::Right);
-    EXPECT_EQ(teams.assign({1, "Keepers"})->team, wire::Side::Left);
+    Teams teams("Keepers", "Takers", 3, 2, std::nullopt);
+    EXPECT_EQ(teams.assign({1, "Takers"}, 0)->team, wire::Side::Right);
+    EXPECT_EQ(teams.assign({1, "Keepers"}, 0)->team, wire::Side::Left);
 }
 
 TEST(Teams, NumberZeroTakesTheLowestFree) {
-    Teams teams("", "", 11, 11);
-    EXPECT_EQ(teams.assign({2, "Reds"})->unum, 2);
-    EXPECT_EQ(teams.assign({0, "Reds"})->unum, 1);
-    EXPECT_EQ(teams.assign({0, "Reds"})->unum, 3);
+    Teams teams("", "", 11, 11, std::nullopt);
+    EXPECT_EQ(teams.assign({2, "Reds"}, 0)->unum, 2);
+    EXPECT_EQ(teams.assign({0, "Reds"}, 0)->unum, 1);
+    EXPECT_EQ(teams.assign({0, "Reds"}, 0)->unum, 3);
 }
 
 TEST(Teams, BadNumbersAreNamed) {
-    Teams teams("", "", 11, 11);
-    EXPECT_EQ(teams.assign({99, "Reds"}).error(), "number 99 is not in 0..11");
-    EXPECT_EQ(teams.assign({-1, "Reds"}).error(), "number -1 is not in 0..11");
-    ASSERT_TRUE(teams.assign({4, "Reds"}));
-    EXPECT_EQ(teams.assign({4, "Reds"}).error(), "number 4 of team 'Reds' is taken");
+    Teams teams("", "", 11, 11, std::nullopt);
+    EXPECT_EQ(teams.assign({99, "Reds"}, 0).error(), "number 99 is not in 0..11");
+    EXPECT_EQ(teams.assign({-1, "Reds"}, 0).error(), "number -1 is not in 0..11");
+    ASSERT_TRUE(teams.assign({4, "Reds"}, 0));
+    EXPECT_EQ(teams.assign({4, "Reds"}, 0).error(), "number 4 of team 'Reds' is taken");
 }
 
 TEST(Teams, TheTwelfthPlayerIsRefusedAndALeftSeatIsFreeAgain) {
-    Teams teams("", "", 11, 11);
-    for (int unum = 1; unum <= 11; ++unum) ASSERT_TRUE(teams.assign({unum, "Reds"}));
-    EXPECT_EQ(teams.assign({0, "Reds"}).error(), "team 'Reds' already has its 11 players");
+    Teams teams("", "", 11, 11, std::nullopt);
+    for (int unum = 1; unum <= 11; ++unum) ASSERT_TRUE(teams.assign({unum, "Reds"}, 0));
+    EXPECT_EQ(teams.assign({0, "Reds"}, 0).error(), "team 'Reds' already has its 11 players");
     teams.release({wire::Side::Left, 5});
-    EXPECT_EQ(teams.assign({0, "Reds"})->unum, 5);
+    EXPECT_EQ(teams.assign({0, "Reds"}, 0)->unum, 5);
 }
 
 TEST(Teams, KeepawaySeatsAreCountedAndNamed) {
-    Teams teams("Keepers", "Takers", 2, 1);
+    Teams teams("Keepers", "Takers", 2, 1, std::nullopt);
     EXPECT_EQ(teams.missing(), "left 1, left 2, right 1");
-    ASSERT_TRUE(teams.assign({2, "Keepers"}));
-    EXPECT_FALSE(teams.assign({3, "Keepers"}));
-    ASSERT_TRUE(teams.assign({0, "Keepers"}));
+    ASSERT_TRUE(teams.assign({2, "Keepers"}, 0));
+    EXPECT_FALSE(teams.assign({3, "Keepers"}, 0));
+    ASSERT_TRUE(teams.assign({0, "Keepers"}, 0));
     EXPECT_FALSE(teams.full());
-    ASSERT_TRUE(teams.assign({1, "Takers"}));
+    ASSERT_TRUE(teams.assign({1, "Takers"}, 0));
     EXPECT_TRUE(teams.full());
+}
+
+TEST(Teams, TooLongATeamNameIsRefused) {
+    Teams teams("", "", 11, 11, std::nullopt);
+    EXPECT_TRUE(teams.assign({1, std::string(kMaxTeamName, 'a')}, 0));
+    EXPECT_FALSE(teams.assign({1, std::string(kMaxTeamName + 1, 'b')}, 0));
+    EXPECT_FALSE(teams.assign({1, "bl\xfc"}, 0)) << "pages and viewers would choke on it";
+}
+
+TEST(Teams, SevenOfATypeAndNoMore) {
+    Teams teams("", "", 11, 11, TypeQuotas{});
+    for (int unum = 1; unum <= 7; ++unum) ASSERT_TRUE(teams.assign({unum, "Reds"}, 3));
+    EXPECT_EQ(teams.assign({8, "Reds"}, 3).error(), "team 'Reds': more than 7 robots of type 3");
+    EXPECT_TRUE(teams.assign({8, "Reds"}, 0)) << "the number stays free";
+    EXPECT_TRUE(teams.assign({8, "Blues"}, 3)) << "each team has its own quota";
+    teams.release({wire::Side::Left, 2});
+    EXPECT_TRUE(teams.assign({2, "Reds"}, 3)) << "who leaves makes room";
+}
+
+TEST(Teams, NineOfAnyTwoTypesAndNoMore) {
+    Teams teams("", "", 11, 11, TypeQuotas{});
+    for (int unum = 1; unum <= 9; ++unum) ASSERT_TRUE(teams.assign({unum, "Reds"}, unum % 2));
+    EXPECT_EQ(teams.assign({10, "Reds"}, 1).error(),
+              "team 'Reds': more than 9 robots of types 0 and 1");
+    EXPECT_TRUE(teams.assign({10, "Reds"}, 2));
+    EXPECT_TRUE(teams.assign({11, "Reds"}, 2));
+}
+
+TEST(Teams, RoomIsKeptForThreeTypes) {
+    Teams teams("", "", 11, 11, TypeQuotas{.of_one_type = 11, .of_two_types = 11});
+    for (int unum = 1; unum <= 9; ++unum) ASSERT_TRUE(teams.assign({unum, "Reds"}, 0));
+    EXPECT_EQ(teams.assign({10, "Reds"}, 0).error(),
+              "team 'Reds': no room would be left for 3 different types");
+    EXPECT_TRUE(teams.assign({10, "Reds"}, 4));
+    EXPECT_FALSE(teams.assign({11, "Reds"}, 4));
+    EXPECT_TRUE(teams.assign({11, "Reds"}, 2));
 }
 
 }  // namespace

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "optimizer/verbs.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <iostream>
+#include <memory>
+#include <string>
+
+#include "optimizer/backend/local_backend.h"
+#include "optimizer/daemon.h"
+#include "optimizer/report/run_text.h"
+#include "optimizer/run.h"
+
+namespace k3d::optimizer {
+
+namespace {
+
+constexpr int kExitInterrupted = 130;
+
+/// How a run is carried out; no result depends on it.
+struct Carrier {
+    int jobs = 1;
+};
+
+void add_carrier_flags(CLI::App& verb, Carrier& carrier) {
+    verb.add_option("--jobs", carrier.jobs, "episodes at a time on this machine (default 1)")
+        ->check(CLI::Range(1, 256));
+}
+
+int go_on(Run run, const Carrier& carrier) {
+    report::RunProgress progress(std::cout, ::isatty(STDOUT_FILENO) == 1);
+    progress.say(fmt::format("run {} in {}", run.name(), run.folder()));
+    backend::LocalBackend backend(carrier.jobs, run.folder() + "/logs");
+    const Ended ended = optimise(run, backend, progress);
+    progress.say(progress.summary());
+    if (ended == Ended::Stopped) {
+        progress.say("stopped; go on with: k3d-optimizer resume " + run.folder());
+        return kExitInterrupted;
+    }
+    std::cout << report::course(run.ledger(), run.ended());
+    return 0;
+}
+
+algorithm::Champion champion_in(const ledger::Ledger& ledger, const std::string& folder) {
+    const auto round = ledger.last_round();
+    if (round) {
+        const auto algorithm =
+            algorithm::Algorithm::restore_text(round->state, ledger_file(folder));
+        if (const auto champion = algorithm.champion()) return *champion;
+    }
+    throw std::runtime_error(folder + " has no champion yet");
+}
+
+int show(const std::string& folder, bool csv, bool canonical) {
+    const auto ledger = ledger::Ledger::open(ledger_file(folder), ledger::Ledger::Access::Read);
+    if (csv || canonical) {
+        std::cout << report::csv(ledger.rows(), canonical);
+        return 0;
+    }
+    std::optional<std::string> ended;
+    if (const auto round = ledger.last_round()) {
+        ended = algorithm::Algorithm::restore_text(round->state, ledger_file(folder)).finished();
+    }
+    std::cout << report::course(ledger, ended);
+    return 0;
+}
+
+int best(const std::string& folder) {
+    const auto ledger = ledger::Ledger::open(ledger_file(folder), ledger::Ledger::Access::Read);
+    const algorithm::Champion champion = champion_in(ledger, folder);
+    const ledger::Facts facts = ledger.facts();
+    const std::string origin = fmt::format(
+        "candidate {} of run {}, version {}; fitness {:.4g} +- {:.3g} (se, n {}) on {} seeds",
+        champion.candidate, facts.at("id"), facts.at("code_version"), champion.score.mean,
+        champion.score.se, champion.score.n, champion.validated ? "validation" : "training");
+    std::cout << report::champion_file(experiment_of(facts), champion, origin);
+    return 0;
+}
+
+void add_run(CLI::App& app, std::function<int()>& chosen) {
+    struct Flags {
+        std::string spec, folder;
+        Carrier carrier;
+    };
+    auto flags = std::make_shared<Flags>();
+    CLI::App* verb = app.add_subcommand("run", "begins a run of an experiment");
+    verb->add_option("SPEC", flags->spec, "the experiment, a TOML file")->required();
+    verb->add_option("--run", flags->folder, "folder of the run (default runs/NAME)");
+    add_carrier_flags(*verb, flags->carrier);
+    verb->callback([flags, &chosen] {
+        chosen = [flags] {
+            const std::string command =
+                fmt::format("k3d-optimizer run {} --jobs {}", flags->spec, flags->carrier.jobs);
+            return go_on(Run::begin(flags->spec, flags->folder, command), flags->carrier);
+        };
+    });
+}
+
+void add_resume(CLI::App& app, std::function<int()>& chosen) {
+    struct Flags {
+        std::string folder;
+        Carrier carrier;
+    };
+    auto flags = std::make_shared<Flags>();
+    CLI::App* verb = app.add_subcommand("resume", "goes on with a run; no episode is repeated");
+    verb->add_option("RUN", flags->folder, "folder of the run")->required();
+    add_carrier_flags(*verb, flags->carrier);
+    verb->callback([flags, &chosen] {
+        chosen = [flags] { return go_on(Run::resume(flags->folder), flags->carrier); };
+    });
+}
+
+void add_looks(CLI::App& app, std::function<int()>& chosen) {
+    struct Flags {
+        std::string folder;
+        bool csv = false;
+        bool canonical = false;
+    };
+    auto flags = std::make_shared<Flags>();
+    CLI::App* verb = app.add_subcommand("show", "tells how far a run has come");
+    verb->add_option("RUN", flags->folder, "folder of the run")->required();
+    verb->add_flag("--csv", flags->csv, "every episode as a line of CSV");
+    verb->add_flag("--canonical", flags->canonical,
+                   "only the columns that follow from experiment and seed");
+    verb->callback([flags, &chosen] {
+        chosen = [flags] { return show(flags->folder, flags->csv, flags->canonical); };
+    });
+    verb = app.add_subcommand("best", "prints the champion as k3d-agent takes it: TOML or network");
+    verb->add_option("RUN", flags->folder, "folder of the run")->required();
+    verb->callback([flags, &chosen] { chosen = [flags] { return best(flags->folder); }; });
+}
+
+}  // namespace
+
+void add_run_verbs(CLI::App& app, std::function<int()>& chosen) {
+    add_run(app, chosen);
+    add_resume(app, chosen);
+    add_looks(app, chosen);
+}
+
+}  // namespace k3d::optimizer

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "optimizer/daemon.h"
 
-#include "optimizer/backend/wakeups.h"
-
 namespace k3d::optimizer {
 
-Ended optimise(Run& run, backend::Backend& backend, report::RunProgress& progress) {
-    backend::Wakeups wakeups;
+Ended optimise(Run& run, backend::Backend& backend, backend::Wakeups& wakeups,
+               report::RunProgress& progress) {
     while (auto round = run.next_round()) {
         // 1. What the algorithm wants to know, less what the ledger knows already.
         for (const episode::Job& job : round->missing()) backend.submit(job);

@@ -37,6 +37,7 @@ class Run {
 
     const std::string& folder() const { return folder_; }
     std::string name() const { return experiment_.name; }
+    const std::string& id() const { return id_; }
     const spec::Experiment& experiment() const { return experiment_; }
     const algorithm::Algorithm& algorithm() const { return *algorithm_; }
     ledger::Ledger& ledger() { return ledger_; }

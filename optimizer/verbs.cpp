@@ -9,7 +9,10 @@
 #include <memory>
 #include <string>
 
+#include "common/log/log.h"
 #include "optimizer/backend/local_backend.h"
+#include "optimizer/backend/nats_backend.h"
+#include "optimizer/backend/worker.h"
 #include "optimizer/daemon.h"
 #include "optimizer/report/run_text.h"
 #include "optimizer/run.h"
@@ -19,22 +22,62 @@ namespace k3d::optimizer {
 namespace {
 
 constexpr int kExitInterrupted = 130;
+constexpr std::chrono::milliseconds kNatsAgain{500};
 
 /// How a run is carried out; no result depends on it.
 struct Carrier {
     int jobs = 1;
+    std::string nats;  ///< empty: this machine
+    double lease_s = 30.0;
+
+    std::string flags() const {
+        return nats.empty() ? fmt::format("--jobs {}", jobs) : "--nats " + nats;
+    }
 };
 
 void add_carrier_flags(CLI::App& verb, Carrier& carrier) {
-    verb.add_option("--jobs", carrier.jobs, "episodes at a time on this machine (default 1)")
-        ->check(CLI::Range(1, 256));
+    CLI::Option* jobs =
+        verb.add_option("--jobs", carrier.jobs, "episodes at a time on this machine (default 1)")
+            ->check(CLI::Range(1, 256));
+    verb.add_option("--nats", carrier.nats,
+                    "nats-server whose workers play the episodes, e.g. nats://127.0.0.1:4222")
+        ->excludes(jobs);
+    verb.add_option("--lease-s", carrier.lease_s,
+                    "--nats: wall seconds after which an episode whose simulated time stands still "
+                    "is given to another worker (default 30)")
+        ->check(CLI::Range(1.0, 3600.0));
+}
+
+/// Tries until there is a server, or the user wants to stop; then none.
+template <class Made, class... Arguments>
+std::unique_ptr<Made> wait_for_nats(backend::Wakeups& wakeups, const Arguments&... arguments) {
+    for (bool told = false; !wakeups.stop_wanted();) {
+        try {
+            return std::make_unique<Made>(arguments...);
+        } catch (const backend::NatsError& error) {
+            if (!told) spdlog::warn("waiting for nats-server: {}", error.what());
+            told = true;
+        }
+        wakeups.wait(episode::Clock::now() + kNatsAgain);
+    }
+    return nullptr;
+}
+
+std::unique_ptr<backend::Backend> make_backend(const Run& run, const Carrier& carrier,
+                                               backend::Wakeups& wakeups) {
+    if (carrier.nats.empty()) {
+        return std::make_unique<backend::LocalBackend>(carrier.jobs, run.folder() + "/logs");
+    }
+    const std::chrono::milliseconds lease(static_cast<long>(carrier.lease_s * 1000.0));
+    return wait_for_nats<backend::NatsBackend>(wakeups, carrier.nats, run.id(), lease);
 }
 
 int go_on(Run run, const Carrier& carrier) {
     report::RunProgress progress(std::cout, ::isatty(STDOUT_FILENO) == 1);
     progress.say(fmt::format("run {} in {}", run.name(), run.folder()));
-    backend::LocalBackend backend(carrier.jobs, run.folder() + "/logs");
-    const Ended ended = optimise(run, backend, progress);
+    backend::Wakeups wakeups;  // before any thread: all of them leave the signals to it
+    const auto backend = make_backend(run, carrier, wakeups);
+    const Ended ended = backend ? optimise(run, *backend, wakeups, progress) : Ended::Stopped;
     progress.say(progress.summary());
     if (ended == Ended::Stopped) {
         progress.say("stopped; go on with: k3d-optimizer resume " + run.folder());
@@ -93,7 +136,7 @@ void add_run(CLI::App& app, std::function<int()>& chosen) {
     verb->callback([flags, &chosen] {
         chosen = [flags] {
             const std::string command =
-                fmt::format("k3d-optimizer run {} --jobs {}", flags->spec, flags->carrier.jobs);
+                fmt::format("k3d-optimizer run {} {}", flags->spec, flags->carrier.flags());
             return go_on(Run::begin(flags->spec, flags->folder, command), flags->carrier);
         };
     });
@@ -133,12 +176,36 @@ void add_looks(CLI::App& app, std::function<int()>& chosen) {
     verb->callback([flags, &chosen] { chosen = [flags] { return best(flags->folder); }; });
 }
 
+void add_worker(CLI::App& app, std::function<int()>& chosen) {
+    auto options = std::make_shared<backend::WorkerOptions>();
+    CLI::App* verb = app.add_subcommand("worker", "plays the episodes of runs with --nats");
+    verb->add_option("--nats", options->url, "nats-server (default nats://127.0.0.1:4222)");
+    verb->add_option("--jobs", options->jobs, "episodes at a time (default 1)")
+        ->check(CLI::Range(1, 256));
+    verb->add_option("--log-folder", options->log_folder,
+                     "logs of failed tries (default: a temporary folder)");
+    verb->add_option("--idle-s", options->idle_s,
+                     "ends after so many seconds without work (default: never)")
+        ->check(CLI::Range(0.0, 1e6));
+    verb->callback([options, &chosen] {
+        chosen = [options] {
+            backend::Wakeups wakeups;
+            if (const auto worker = wait_for_nats<backend::Worker>(wakeups, *options)) {
+                spdlog::info("at work for {}", options->url);
+                worker->work(wakeups);
+            }
+            return 0;
+        };
+    });
+}
+
 }  // namespace
 
 void add_run_verbs(CLI::App& app, std::function<int()>& chosen) {
     add_run(app, chosen);
     add_resume(app, chosen);
     add_looks(app, chosen);
+    add_worker(app, chosen);
 }
 
 }  // namespace k3d::optimizer

@@ -98,6 +98,12 @@ void JobPool::start(const episode::Job& job) {
 
 std::vector<episode::Outcome> JobPool::poll() {
     std::vector<episode::Outcome> ended;
+    for (auto& [run, outcome] : poll_with_runs()) ended.push_back(std::move(outcome));
+    return ended;
+}
+
+std::vector<std::pair<std::string, episode::Outcome>> JobPool::poll_with_runs() {
+    std::vector<std::pair<std::string, episode::Outcome>> ended;
     std::erase_if(running_, [&](const std::unique_ptr<Running>& running) {
         auto ending = running->episode->poll();
         if (!ending) return false;
@@ -106,7 +112,7 @@ std::vector<episode::Outcome> JobPool::poll() {
             require_space(folder_);
             ending->error().reason += "; logs in " + running->folder;
         }
-        ended.push_back(outcome(*running, std::move(*ending)));
+        ended.emplace_back(running->job.run, outcome(*running, std::move(*ending)));
         return true;
     });
     return ended;
@@ -121,7 +127,7 @@ episode::Clock::time_point JobPool::next_look() const {
 std::vector<JobPool::Progress> JobPool::progress() const {
     std::vector<Progress> all;
     for (const auto& running : running_) {
-        all.push_back({running->job.key, running->job.attempt, telemetry_bytes(running->folder)});
+        all.push_back({running->job.run, running->job.key, telemetry_bytes(running->folder)});
     }
     return all;
 }

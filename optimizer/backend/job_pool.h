@@ -6,6 +6,7 @@
 #include <deque>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "optimizer/episode/episode.h"
@@ -32,13 +33,15 @@ class JobPool {
     /// The tries that have ended since the last call. Throws std::runtime_error instead of reporting
     /// a failure while the log folder's disk is full.
     std::vector<episode::Outcome> poll();
+    /// The same, each with its run.
+    std::vector<std::pair<std::string, episode::Outcome>> poll_with_runs();
     /// When poll() is due at the latest, unless a child ends before that.
     episode::Clock::time_point next_look() const;
 
     /// How far a running job has come: grows as its simulated time does.
     struct Progress {
+        std::string run;
         episode::Key key;
-        int attempt;
         std::uintmax_t done;
     };
     std::vector<Progress> progress() const;

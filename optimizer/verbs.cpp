@@ -97,14 +97,29 @@ algorithm::Champion champion_in(const ledger::Ledger& ledger, const std::string&
     throw std::runtime_error(folder + " has no champion yet");
 }
 
-int show(const std::string& folder, bool csv, bool canonical) {
+/// What `show` prints beside the course of the run.
+struct Look {
+    std::string folder;
+    bool csv = false;
+    bool canonical = false;
+    bool state = false;
+};
+
+int show(const Look& look) {
+    const std::string& folder = look.folder;
     const auto ledger = ledger::Ledger::open(ledger_file(folder), ledger::Ledger::Access::Read);
-    if (csv || canonical) {
-        std::cout << report::csv(ledger.rows(), canonical);
+    if (look.csv || look.canonical) {
+        std::cout << report::csv(ledger.rows(), look.canonical);
+        return 0;
+    }
+    const auto round = ledger.last_round();
+    if (look.state) {
+        if (!round) throw std::runtime_error(folder + " has closed no generation yet");
+        std::cout << round->state << '\n';
         return 0;
     }
     std::optional<std::string> ended;
-    if (const auto round = ledger.last_round()) {
+    if (round) {
         ended = algorithm::Algorithm::restore_text(round->state, ledger_file(folder)).finished();
     }
     std::cout << report::course(ledger, ended);
@@ -157,23 +172,17 @@ void add_resume(CLI::App& app, std::function<int()>& chosen) {
 }
 
 void add_looks(CLI::App& app, std::function<int()>& chosen) {
-    struct Flags {
-        std::string folder;
-        bool csv = false;
-        bool canonical = false;
-    };
-    auto flags = std::make_shared<Flags>();
+    auto look = std::make_shared<Look>();
     CLI::App* verb = app.add_subcommand("show", "tells how far a run has come");
-    verb->add_option("RUN", flags->folder, "folder of the run")->required();
-    verb->add_flag("--csv", flags->csv, "every episode as a line of CSV");
-    verb->add_flag("--canonical", flags->canonical,
-                   "only the columns that follow from experiment and seed");
-    verb->callback([flags, &chosen] {
-        chosen = [flags] { return show(flags->folder, flags->csv, flags->canonical); };
-    });
+    verb->add_option("RUN", look->folder, "folder of the run")->required();
+    verb->add_flag("--csv", look->csv, "every episode as a line of CSV");
+    verb->add_flag("--canonical", look->canonical,
+                   "the same, only columns that follow from experiment and seed");
+    verb->add_flag("--state", look->state, "the algorithm's state: its population, as JSON");
+    verb->callback([look, &chosen] { chosen = [look] { return show(*look); }; });
     verb = app.add_subcommand("best", "prints the champion as k3d-agent takes it: TOML or network");
-    verb->add_option("RUN", flags->folder, "folder of the run")->required();
-    verb->callback([flags, &chosen] { chosen = [flags] { return best(flags->folder); }; });
+    verb->add_option("RUN", look->folder, "folder of the run")->required();
+    verb->callback([look, &chosen] { chosen = [look] { return best(look->folder); }; });
 }
 
 void add_worker(CLI::App& app, std::function<int()>& chosen) {

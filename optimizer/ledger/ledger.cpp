@@ -91,6 +91,21 @@ int number_of(SQLite::Database& db, const char* pragma) {
     return db.execAndGet(std::string("PRAGMA ") + pragma).getInt();
 }
 
+void write_new(const std::string& path, const Facts& facts) {
+    SQLite::Database db(path, SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE, kBusyMs);
+    db.exec("PRAGMA journal_mode = WAL");
+    SQLite::Transaction transaction(db);
+    db.exec(kTables);
+    for (const auto& [name, value] : facts) {
+        SQLite::Statement add(db, "INSERT INTO facts VALUES (?, ?)");
+        Binder(add) << name << value;
+        add.exec();
+    }
+    db.exec(fmt::format("PRAGMA application_id = {}", kApplication));
+    db.exec(fmt::format("PRAGMA user_version = {}", kVersion));
+    transaction.commit();
+}
+
 }  // namespace
 
 struct Ledger::Impl {
@@ -113,6 +128,8 @@ struct Ledger::Impl {
         try {
             return work();
         } catch (const SQLite::Exception& error) {
+            throw LedgerError(fmt::format("{}: {}", path, error.what()));
+        } catch (const std::filesystem::filesystem_error& error) {
             throw LedgerError(fmt::format("{}: {}", path, error.what()));
         } catch (const nlohmann::json::exception& error) {
             throw LedgerError(fmt::format("{}: {}", path, error.what()));
@@ -145,21 +162,12 @@ Ledger::~Ledger() = default;
 Ledger Ledger::create(const std::string& path, const Facts& facts) {
     return Impl::guard(path, [&] {
         if (std::filesystem::exists(path)) throw LedgerError("there is a file of this name");
-        SQLite::Database db(path, SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE, kBusyMs);
-        db.exec("PRAGMA journal_mode = WAL");
-        db.exec("PRAGMA synchronous = NORMAL");
-        SQLite::Transaction transaction(db);
-        db.exec(kTables);
-        for (const auto& [name, value] : facts) {
-            SQLite::Statement add(db, "INSERT INTO facts VALUES (?, ?)");
-            Binder(add) << name << value;
-            add.exec();
-        }
-        // Last: a file without these two is no whole ledger.
-        db.exec(fmt::format("PRAGMA application_id = {}", kApplication));
-        db.exec(fmt::format("PRAGMA user_version = {}", kVersion));
-        transaction.commit();
-        return Ledger(std::make_unique<Impl>(path, std::move(db)));
+        // Whoever finds a ledger finds a whole one: it gets its name when it is complete.
+        const std::string unborn = path + ".new";
+        std::filesystem::remove(unborn);
+        write_new(unborn, facts);
+        std::filesystem::rename(unborn, path);
+        return open(path, Access::Write);
     });
 }
 

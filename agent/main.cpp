@@ -4,7 +4,6 @@
 
 #include <chrono>
 #include <csignal>
-#include <iostream>
 #include <string>
 #include <vector>
 
@@ -111,10 +110,7 @@ int run(const Options& options) {
     k3d::log::start("k3d-agent", options.line.log_level);
     k3d::agent::Config config;
     k3d::config::resolve(options.line, k3d::config::describing(config));
-    if (options.line.print_config) {
-        std::cout << k3d::config::print(k3d::config::describing(config));
-        return 0;
-    }
+    if (k3d::config::print_wanted(options.line, k3d::config::describing(config))) return 0;
     std::signal(SIGPIPE, SIG_IGN);
     return play(options, config);
 }

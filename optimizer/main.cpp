@@ -13,11 +13,13 @@
 #include "common/config/command_line.h"
 #include "common/log/log.h"
 #include "common/version/version.h"
-#include "optimizer/daemon.h"
+#include "optimizer/hopeless.h"
+#include "optimizer/match.h"
 #include "optimizer/report/progress.h"
 #include "optimizer/report/table.h"
 #include "optimizer/spec/match_spec.h"
 #include "optimizer/spec/words.h"
+#include "optimizer/verbs.h"
 
 namespace {
 
@@ -133,18 +135,19 @@ int guarded(const std::function<int()>& command) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    CLI::App app{"k3d-optimizer: plays matches of keepaway and measures them"};
+    CLI::App app{"k3d-optimizer: plays matches of keepaway, measures them, and learns from them"};
     app.set_version_flag("--version", std::string(k3d::code_version()));
     app.require_subcommand(0, 1);  // none is looked at below: then a misspelt one is named
+    std::function<int()> chosen;
     Options match_options;
     CLI::App* match = app.add_subcommand(
         "match", "plays episodes of keepaway, each with new processes, and prints a table");
     add_match_flags(*match, match_options);
+    match->callback([&] { chosen = [&match_options] { return run_match(match_options); }; });
+    k3d::optimizer::add_run_verbs(app, chosen);
     return k3d::config::run_program(app, argc, argv, "k3d-optimizer", [&] {
-        if (!match->parsed()) {
-            throw std::invalid_argument("which subcommand? See k3d-optimizer --help");
-        }
+        if (!chosen) throw std::invalid_argument("which subcommand? See k3d-optimizer --help");
         k3d::log::start("k3d-optimizer", "info");
-        return guarded([&] { return run_match(match_options); });
+        return guarded(chosen);
     });
 }

@@ -75,10 +75,7 @@ int run(const Options& options) {
     k3d::log::start("k3d-server", options.line.log_level);
     k3d::server::Config config;
     k3d::config::resolve(options.line, k3d::config::describing(config));
-    if (options.line.print_config) {
-        std::cout << k3d::config::print(k3d::config::describing(config));
-        return 0;
-    }
+    if (k3d::config::print_wanted(options.line, k3d::config::describing(config))) return 0;
     k3d::server::Files files = options.files;
     if (files.web_folder.empty()) {
         files.web_folder = k3d::server::viewer::web_folder_beside_program();

@@ -39,11 +39,19 @@ void add_flags(CLI::App& app, CommandLine& line, const std::vector<ShortFlag>& f
         ->allow_extra_args(false);
     app.add_option("--log-level", line.log_level, "trace, debug, info, warning, error or off");
     app.add_flag("--print-config", line.print_config, "print the resolved configuration, and end");
+    app.add_flag("--print-fields", line.print_fields,
+                 "print every setting with type, value, range and meaning as JSON, and end");
 }
 
 void resolve(const CommandLine& line, const Describe& describe) {
     for (const std::string& file : line.files) load_file(describe, file);
     for (const auto& [path, value] : line.settings) set(describe, path, value);
+}
+
+bool print_wanted(const CommandLine& line, const Describe& describe) {
+    if (line.print_config) std::cout << print(describe);
+    if (line.print_fields) std::cout << print_fields(describe) << '\n';
+    return line.print_config || line.print_fields;
 }
 
 int run_program(CLI::App& app, int argc, char** argv, const std::string& program,

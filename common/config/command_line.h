@@ -29,14 +29,18 @@ struct CommandLine {
     std::vector<std::pair<std::string, std::string>> settings;  ///< path, value
     std::string log_level = "info";
     bool print_config = false;
+    bool print_fields = false;
 };
 
-/// Adds `flags` and --config, --set, --print-config, --log-level. `example` is shown with --set.
+/// Adds `flags` and --config, --set, --print-config, --print-fields, --log-level. `example` is shown
+/// with --set.
 void add_flags(CLI::App& app, CommandLine& line, const std::vector<ShortFlag>& flags,
                const std::string& example);
 
 /// Loads the files and sets the settings. Throws ConfigError.
 void resolve(const CommandLine& line, const Describe& describe);
+/// Prints what --print-config or --print-fields asks for; false if neither was given.
+bool print_wanted(const CommandLine& line, const Describe& describe);
 
 /// Parses and runs; a failure is printed as one line with the program's name. Returns the exit
 /// code: run()'s, kExitUsage for ConfigError and std::invalid_argument, kExitFailed for the rest.

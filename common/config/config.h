@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -27,6 +28,14 @@ void load_file(const Describe& describe, const std::string& path);
 void set(const Describe& describe, std::string_view path, std::string_view value);
 /// The resolved configuration as TOML, each field with its unit, range and meaning as a comment.
 std::string print(const Describe& describe);
+/// The fields themselves, for programs: a JSON list of {"path", "type" (number, integer, seed,
+/// boolean, text, numbers), "value", "min", "max" (null: none), "unit", "meaning"}.
+std::string print_fields(const Describe& describe);
+/// Line (from 1) of the value or section at `path` in a TOML text; none if it has none, or if the
+/// text is no TOML. For faults that only show once all values are known.
+std::optional<int> line_of(std::string_view toml, std::string_view path);
+/// The text at `path`; none if there is no text. For what must be known before the fields are.
+std::optional<std::string> text_at(std::string_view toml, std::string_view path);
 
 template <class Struct>
 Describe describing(Struct& s) {

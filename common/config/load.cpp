@@ -152,6 +152,28 @@ void load_file(const Describe& describe, const std::string& path) {
     load_text(describe, text.str(), path);
 }
 
+std::optional<int> line_of(std::string_view toml, std::string_view path) {
+    try {
+        const toml::table root = parse(toml, "");
+        const toml::node* node = find(root, path);
+        if (node == nullptr) return std::nullopt;
+        return static_cast<int>(node->source().begin.line);
+    } catch (const ConfigError&) {
+        return std::nullopt;
+    }
+}
+
+std::optional<std::string> text_at(std::string_view toml, std::string_view path) {
+    try {
+        const toml::table root = parse(toml, "");
+        const toml::node* node = find(root, path);
+        if (node == nullptr || !node->is_string()) return std::nullopt;
+        return node->as_string()->get();
+    } catch (const ConfigError&) {
+        return std::nullopt;
+    }
+}
+
 void set(const Describe& describe, std::string_view path, std::string_view value) {
     std::vector<std::string> known;
     bool found = false;

@@ -3,8 +3,7 @@
 
 #include <fmt/format.h>
 
-#include <filesystem>
-
+#include "optimizer/spec/agent_fields.h"
 #include "optimizer/spec/settings.h"
 #include "optimizer/spec/words.h"
 
@@ -13,11 +12,6 @@ namespace k3d::optimizer::episode {
 namespace {
 
 constexpr const char* kHost = "127.0.0.1";
-
-std::string program(const std::string& wanted, const char* name) {
-    if (!wanted.empty()) return wanted;
-    return (std::filesystem::read_symlink("/proc/self/exe").parent_path() / name).string();
-}
 
 void add(std::vector<std::string>& words, const char* flag, const std::string& value) {
     if (!value.empty()) words.insert(words.end(), {flag, value});
@@ -60,7 +54,7 @@ std::string telemetry_file(const std::string& folder, const Seat& seat) {
 
 std::vector<std::string> server_command(const spec::MatchSpec& spec, const Task& task,
                                         const std::string& folder, int http_port) {
-    std::vector<std::string> words{program(spec.server_program, "k3d-server"),
+    std::vector<std::string> words{spec::program_path(spec.server_program, "k3d-server"),
                                    "--game",
                                    "keepaway",
                                    "--pace",
@@ -102,7 +96,7 @@ std::vector<std::string> agent_command(const spec::MatchSpec& spec, const Task& 
         return spec::fill_command(seat.keeper ? spec.keeper_command : spec.taker_command,
                                   {kHost, port, seat.unum, seat.team()});
     }
-    std::vector<std::string> words{program(spec.agent_program, "k3d-agent"),
+    std::vector<std::string> words{spec::program_path(spec.agent_program, "k3d-agent"),
                                    "--host",
                                    kHost,
                                    "--port",

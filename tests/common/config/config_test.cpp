@@ -9,6 +9,7 @@
 #include <cstdio>
 #include <fstream>
 #include <limits>
+#include <nlohmann/json.hpp>
 
 namespace k3d::config {
 namespace {
@@ -233,6 +234,31 @@ TEST(ConfigSet, NamesPathAndValueOfAFault) {
     EXPECT_EQ(set_fault("port", "\u00E4"), "\"port\" is \"\u00E4\", which is no value");
     EXPECT_EQ(set_fault("port", ""), "\"port\" is \"\", which is no value");
     EXPECT_EQ(set_fault("walk", "1"), "\"walk\" is a section, wanted is a value in it");
+}
+
+TEST(ConfigFields, TellPathTypeValueAndRange) {
+    Match run;
+    const auto list = nlohmann::json::parse(print_fields(describing(run)));
+    ASSERT_EQ(list.size(), 8U);
+    EXPECT_EQ(list[0].dump(),
+              R"({"max":0.1,"meaning":"how high the swing foot is lifted","min":0.0,)"
+              R"("path":"walk.step_height","type":"number","unit":"m","value":0.03})");
+    EXPECT_EQ(list[1]["type"], "numbers");
+    EXPECT_EQ(list[2]["type"], "integer");
+    EXPECT_EQ(list[3]["type"], "seed");
+    EXPECT_EQ(list[4]["type"], "boolean");
+    EXPECT_EQ(list[6]["value"], "a \"b\" \\ \n c");
+    EXPECT_TRUE(list[7]["min"].is_null());
+}
+
+TEST(ConfigLines, OfValuesAndSections) {
+    const std::string text = "port = 0\n\n[walk]\nstep_height = 0.05\n[a.b]\n";
+    EXPECT_EQ(line_of(text, "port"), 1);
+    EXPECT_EQ(line_of(text, "walk"), 3);
+    EXPECT_EQ(line_of(text, "walk.step_height"), 4);
+    EXPECT_EQ(line_of(text, "a.b"), 5);
+    EXPECT_EQ(line_of(text, "walk.gains"), std::nullopt);
+    EXPECT_EQ(line_of("= 3", "port"), std::nullopt);
 }
 
 }  // namespace

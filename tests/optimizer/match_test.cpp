@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The match loop with programs that play well, die, hang or lie: it ends, it says why, and leaves
 // no process behind.
-#include "optimizer/daemon.h"
+#include "optimizer/match.h"
 
 #include <gmock/gmock.h>
 

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "optimizer/backend/job_pool.h"
+
+#include <fmt/format.h>
+#include <stdlib.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <stdexcept>
+
+#include "common/log/log.h"
+#include "optimizer/episode/job_match.h"
+
+namespace k3d::optimizer::backend {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::chrono::milliseconds kLongestWait{500};
+constexpr std::uintmax_t kLeastSpace = 4 * 1024 * 1024;
+
+std::string make_temporary() {
+    std::string path = (fs::temp_directory_path() / "k3d-jobs-XXXXXX").string();
+    if (::mkdtemp(path.data()) == nullptr) {
+        throw std::runtime_error(fmt::format("log folder {}: {}", path, std::strerror(errno)));
+    }
+    return path;
+}
+
+std::string make(const std::string& path) {
+    std::error_code fault;
+    fs::create_directories(path, fault);
+    if (fault) throw std::runtime_error(fmt::format("log folder {}: {}", path, fault.message()));
+    return fs::absolute(path).string();
+}
+
+std::string this_worker() {
+    std::array<char, 256> host{};
+    ::gethostname(host.data(), host.size() - 1);
+    return fmt::format("{}:{}", host.data(), ::getpid());
+}
+
+std::uintmax_t telemetry_bytes(const std::string& folder) {
+    std::uintmax_t bytes = 0;
+    std::error_code fault;
+    for (const auto& entry : fs::directory_iterator(folder, fault)) {
+        if (!entry.path().string().ends_with(".telemetry.jsonl")) continue;
+        const auto size = entry.file_size(fault);
+        if (!fault) bytes += size;
+    }
+    return bytes;
+}
+
+/// An episode that found no room for its files has not failed: nothing can be played here now.
+void require_space(const std::string& folder) {
+    std::error_code fault;
+    const fs::space_info space = fs::space(folder, fault);
+    if (fault || space.available >= kLeastSpace) return;
+    throw std::runtime_error(fmt::format("{}: only {} KiB are left on this disk", folder,
+                                         space.available / 1024));
+}
+
+}  // namespace
+
+JobPool::JobPool(int slots, const std::string& log_folder)
+    : slots_(static_cast<std::size_t>(slots)),
+      folder_(log_folder.empty() ? make_temporary() : make(log_folder)),
+      temporary_(log_folder.empty()),
+      worker_(this_worker()) {}
+
+JobPool::~JobPool() {
+    for (auto& running : running_) {
+        running->episode.reset();
+        end_logs(running->folder, false);  // given up, not failed
+    }
+    std::error_code ignored;
+    if (temporary_) fs::remove(folder_, ignored);
+}
+
+void JobPool::start(const episode::Job& job) {
+    K3D_ASSERT(room() > 0);
+    auto running = std::make_unique<Running>();
+    running->job = job;
+    std::string name = job.run + "-" + job.key.text();
+    std::replace(name.begin(), name.end(), '/', '-');
+    running->folder = make(fmt::format("{}/{}-try-{}", folder_, name, job.attempt));
+    running->match = episode::match_of(job, running->folder);
+    const episode::Task task{0, job.seed, job.attempt};
+    running->episode =
+        std::make_unique<episode::Episode>(running->match, task, running->folder, -1);
+    running_.push_back(std::move(running));
+}
+
+std::vector<episode::Outcome> JobPool::poll() {
+    std::vector<episode::Outcome> ended;
+    for (auto& [run, outcome] : poll_with_runs()) ended.push_back(std::move(outcome));
+    return ended;
+}
+
+std::vector<std::pair<std::string, episode::Outcome>> JobPool::poll_with_runs() {
+    std::vector<std::pair<std::string, episode::Outcome>> ended;
+    std::erase_if(running_, [&](const std::unique_ptr<Running>& running) {
+        auto ending = running->episode->poll();
+        if (!ending) return false;
+        end_logs(running->folder, !ending->has_value());
+        if (!*ending) {
+            require_space(folder_);
+            ending->error().reason += "; logs in " + running->folder;
+        }
+        ended.emplace_back(running->job.run, outcome(*running, std::move(*ending)));
+        return true;
+    });
+    return ended;
+}
+
+episode::Clock::time_point JobPool::next_look() const {
+    episode::Clock::time_point next = episode::Clock::now() + kLongestWait;
+    for (const auto& running : running_) next = std::min(next, running->episode->next_look());
+    return next;
+}
+
+std::vector<JobPool::Progress> JobPool::progress() const {
+    std::vector<Progress> all;
+    for (const auto& running : running_) {
+        all.push_back({running->job.run, running->job.key, telemetry_bytes(running->folder)});
+    }
+    return all;
+}
+
+episode::Outcome JobPool::outcome(const Running& running, episode::Ending ending) const {
+    const auto since = episode::Clock::now() - running.episode->started();
+    const double wall_s = std::chrono::duration<double>(since).count();
+    return {running.job.key, running.job.seed, running.job.attempt,
+            episode::fingerprint(running.job), std::move(ending), wall_s, worker_};
+}
+
+void JobPool::end_logs(const std::string& folder, bool failed) {
+    std::error_code ignored;
+    if (!failed) {
+        fs::remove_all(folder, ignored);
+        return;
+    }
+    kept_.push_back(folder);
+    if (kept_.size() <= kKeptLogs) return;
+    fs::remove_all(kept_.front(), ignored);
+    kept_.pop_front();
+}
+
+}  // namespace k3d::optimizer::backend

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "optimizer/report/run_progress.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace k3d::optimizer::report {
+
+namespace {
+
+constexpr const char* kWipe = "\r\x1b[K";
+constexpr std::chrono::milliseconds kOnTerminal{200};
+constexpr std::chrono::seconds kElsewhere{30};
+/// Beyond this many generations the limit is none, and no end can be told.
+constexpr int kManyGenerations = 100000;
+
+std::string duration(double seconds) {
+    const auto minutes = static_cast<long>(std::ceil(seconds / 60.0));
+    if (minutes < 60) return fmt::format("{} min", minutes);
+    return fmt::format("{} h {:02} min", minutes / 60, minutes % 60);
+}
+
+}  // namespace
+
+void RunProgress::wipe() {
+    if (line_open_) out_ << kWipe << std::flush;
+    line_open_ = false;
+}
+
+void RunProgress::say(const std::string& text) {
+    wipe();
+    out_ << text << '\n' << std::flush;
+}
+
+std::string RunProgress::summary() const {
+    const double wall = std::max(1e-3, std::chrono::duration<double>(Clock::now() - start_).count());
+    std::string text = fmt::format("{:.1f} episodes per min, {:.1f} simulated s per wall s",
+                                   static_cast<double>(episodes_) * 60.0 / wall,
+                                   simulated_s_ / wall);
+    if (failed_ > 0) text += fmt::format(", {} failed", failed_);
+    return text;
+}
+
+std::string RunProgress::eta(const RunView& view) const {
+    const double wall = std::chrono::duration<double>(Clock::now() - start_).count();
+    if (episodes_ == 0 || (!view.test && view.max_generations > kManyGenerations)) return "";
+    const auto rounds = view.test ? 0 : view.max_generations - view.generation - 1;
+    const double left = static_cast<double>(view.episodes - view.known) +
+                        static_cast<double>(view.episodes) * std::max(0, rounds);
+    return ", ends in " + duration(left * wall / static_cast<double>(episodes_));
+}
+
+void RunProgress::show(const RunView& view, const std::vector<ledger::Row>& news,
+                       const std::string& backend) {
+    for (const ledger::Row& row : news) {
+        ++episodes_;
+        failed_ += row.status == "failed";
+        simulated_s_ += row.simulated_s;
+    }
+    const auto now = Clock::now();
+    if (now < shown_ + (terminal_ ? Clock::duration(kOnTerminal) : Clock::duration(kElsewhere))) {
+        return;
+    }
+    shown_ = now;
+    const std::string what =
+        view.test ? "test of the champion" : fmt::format("generation {}", view.generation);
+    const std::string text = fmt::format("{}: {} of {} episodes, {}, {}{}", what, view.known,
+                                         view.episodes, backend, summary(), eta(view));
+    if (!terminal_) return say(text);
+    out_ << kWipe << text << std::flush;
+    line_open_ = true;
+}
+
+void RunProgress::closed(const nlohmann::json& line) {
+    std::string text;
+    for (const auto& [name, value] : line.items()) {
+        if (name == "generation" || value.is_structured()) continue;
+        text += fmt::format("{}{} {}", text.empty() ? "" : ", ", name,
+                            value.is_number_float() ? fmt::format("{:.4g}", value.get<double>())
+                                                    : value.dump());
+    }
+    say(fmt::format("generation {}: {}", line.value("generation", 0), text));
+}
+
+}  // namespace k3d::optimizer::report

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What the user sees while an experiment runs: on a terminal one line that changes, else a line now
+// and then; one line for each generation that is closed.
+#pragma once
+
+#include <chrono>
+#include <nlohmann/json.hpp>
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include "optimizer/ledger/row.h"
+
+namespace k3d::optimizer::report {
+
+/// How far a run has come.
+struct RunView {
+    bool test = false;  ///< the search is over, its champion is being tested
+    int generation = 0;
+    int max_generations = 0;
+    std::size_t known = 0;     ///< episodes of the present round
+    std::size_t episodes = 0;  ///< the same, all of them
+};
+
+class RunProgress {
+  public:
+    RunProgress(std::ostream& out, bool terminal) : out_(out), terminal_(terminal) {}
+    RunProgress(const RunProgress&) = delete;
+    RunProgress& operator=(const RunProgress&) = delete;
+    ~RunProgress() { wipe(); }
+
+    /// Plain lines, e.g. where the run is.
+    void say(const std::string& text);
+    /// `news`: rows that have come in since the last call. Cheap: call it after each wait.
+    void show(const RunView& view, const std::vector<ledger::Row>& news,
+              const std::string& backend);
+    /// A generation is closed; `line` is the algorithm's log of it.
+    void closed(const nlohmann::json& line);
+
+    std::string summary() const;  ///< rates since the start
+  private:
+    void wipe();
+    std::string eta(const RunView& view) const;
+
+    using Clock = std::chrono::steady_clock;
+    std::ostream& out_;
+    bool terminal_;
+    bool line_open_ = false;
+    Clock::time_point start_ = Clock::now();
+    Clock::time_point shown_{};
+    std::size_t episodes_ = 0;
+    std::size_t failed_ = 0;
+    double simulated_s_ = 0.0;
+};
+
+}  // namespace k3d::optimizer::report

@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "optimizer/round.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "common/log/log.h"
+#include "common/version/version.h"
+#include "optimizer/fitness/fitness.h"
+#include "optimizer/report/statistics.h"
+
+namespace k3d::optimizer {
+
+namespace {
+
+std::string setting(const spec::Parameter& parameter, double value) {
+    if (parameter.integer) return fmt::format("{}={:.0f}", parameter.name, value);
+    return fmt::format("{}={}", parameter.name, value);
+}
+
+episode::Key key_of(episode::Phase phase, const algorithm::Request& request, int episode) {
+    const bool train = phase == episode::Phase::Train;
+    return {phase, train ? request.generation : 0, request.candidate, episode};
+}
+
+}  // namespace
+
+episode::Phase phase_of(algorithm::Pool pool) {
+    switch (pool) {
+        case algorithm::Pool::Train: return episode::Phase::Train;
+        case algorithm::Pool::Validation: return episode::Phase::Validation;
+        case algorithm::Pool::Test: return episode::Phase::Test;
+    }
+    return episode::Phase::Train;
+}
+
+episode::Job JobMaker::job(const std::optional<algorithm::Payload>& payload, episode::Phase phase,
+                           const algorithm::Request& request, int episode) const {
+    episode::Job job;
+    job.run = run;
+    job.key = key_of(phase, request, episode);
+    job.seed = algorithm::scenario_seed(experiment.seed, request.pool, request.generation, episode);
+    job.task = experiment.task;
+    job.code_version = code_version();
+    if (!payload) return job;
+    if (const auto* values = std::get_if<std::vector<double>>(&*payload)) {
+        if (experiment.start_network) {
+            job.network_path = experiment.network.path;
+            job.network = network::to_json(spec::with_weights(*experiment.start_network, *values));
+            return job;
+        }
+        for (std::size_t i = 0; i < values->size(); ++i) {
+            job.settings.push_back(setting(experiment.parameters.at(i), (*values)[i]));
+        }
+    } else {
+        job.network_path = experiment.network.path;
+        job.network = network::to_json(std::get<network::Definition>(*payload));
+    }
+    return job;
+}
+
+void Round::add(const episode::Job& job, const ledger::Ledger& ledger) {
+    Episode episode{job, ledger.find(job.key)};
+    if (episode.row) {
+        ++known_;
+        if (episode.row->seed != job.seed ||
+            episode.row->fingerprint != episode::fingerprint(job)) {
+            throw ledger::LedgerError(fmt::format(
+                "episode {} of the ledger was played with another candidate, task or seed",
+                job.key.text()));
+        }
+    } else {
+        episode.job.attempt = ledger.count_failed(job.key) + 1;
+    }
+    episodes_.emplace(job.key, std::move(episode));
+}
+
+std::vector<episode::Job> Round::missing() const {
+    std::vector<episode::Job> jobs;
+    for (const auto& [key, episode] : episodes_) {
+        if (!episode.row) jobs.push_back(episode.job);
+    }
+    return jobs;
+}
+
+std::vector<episode::Job> Round::take(const std::vector<episode::Outcome>& outcomes,
+                                      ledger::Ledger& ledger) {
+    std::vector<ledger::Row> rows;
+    std::vector<ledger::FailedTry> failed;
+    std::vector<episode::Job> again;
+    for (const episode::Outcome& outcome : outcomes) {
+        const auto found = episodes_.find(outcome.key);
+        if (found == episodes_.end()) continue;  // of a round before: a late copy
+        Episode& episode = found->second;
+        if (outcome.fingerprint != episode::fingerprint(episode.job) ||
+            outcome.seed != episode.job.seed) {
+            spdlog::warn("an outcome of {} from {} is of another job; ignored", outcome.key.text(),
+                         outcome.worker);
+            continue;
+        }
+        std::string invalid;
+        if (outcome.ending) {
+            const auto worth = fitness::fitness(experiment_.task, *outcome.ending);
+            if (worth) {
+                settle(episode, outcome, *worth, rows);
+                continue;
+            }
+            invalid = worth.error();
+        }
+        const episode::Failure failure =
+            outcome.ending ? episode::Failure{invalid, {}, {}} : outcome.ending.error();
+        if (fail(episode, outcome, failure, rows, failed)) again.push_back(episode.job);
+    }
+    if (rows.empty() && failed.empty()) return again;
+    for (const ledger::Row& row : ledger.add(rows, failed)) {
+        spdlog::warn("episode {} has come out in two ways; the first one counts, this is {}: {}",
+                     row.key.text(), row.worker, row.result);
+    }
+    return again;
+}
+
+void Round::settle(Episode& episode, const episode::Outcome& outcome, double worth,
+                   std::vector<ledger::Row>& rows) {
+    const episode::Result& result = *outcome.ending;
+    ledger::Row row{outcome.key,
+                    outcome.seed,
+                    outcome.fingerprint,
+                    std::string(k3d::episode::name(result.status)),
+                    result.reason,
+                    worth,
+                    fitness::simulated_s(result),
+                    k3d::episode::to_line(result),
+                    outcome.attempt,
+                    outcome.wall_s,
+                    outcome.worker};
+    rows.push_back(row);  // a second copy too: the ledger tells whether it says the same
+    if (episode.row) return;
+    episode.row = row;
+    news_.push_back(std::move(row));
+    ++known_;
+}
+
+bool Round::fail(Episode& episode, const episode::Outcome& outcome,
+                 const episode::Failure& failure, std::vector<ledger::Row>& rows,
+                 std::vector<ledger::FailedTry>& failed) {
+    // A late failure of an earlier try says nothing about the one that is under way.
+    if (episode.row || outcome.attempt != episode.job.attempt) return false;
+    if (failure.hopeless && known_ == 0) {
+        throw HopelessRun(fmt::format("episode {}: {}", outcome.key.text(), failure.reason),
+                          *failure.hopeless);
+    }
+    spdlog::warn("episode {}: try {} of {} failed: {}", outcome.key.text(), outcome.attempt, kTries,
+                 failure.reason);
+    failed.push_back({outcome.key, outcome.attempt, failure.reason, outcome.worker});
+    if (++episode.job.attempt <= kTries) return true;
+    episode.row = ledger::Row{outcome.key,
+                              outcome.seed,
+                              outcome.fingerprint,
+                              "failed",
+                              fmt::format("no valid result in {} tries", kTries),
+                              experiment_.task.worst,
+                              0.0,
+                              "",
+                              outcome.attempt,
+                              outcome.wall_s,
+                              outcome.worker};
+    rows.push_back(*episode.row);
+    news_.push_back(*episode.row);
+    ++known_;
+    return false;
+}
+
+algorithm::Score Round::score(const algorithm::Request& request) const {
+    std::vector<double> sample;
+    for (int i = 0; i < request.episodes; ++i) {
+        sample.push_back(episodes_.at(key_of(phase_of(request.pool), request, i)).row->fitness);
+    }
+    const report::Statistics s = report::statistics(sample);
+    return {*s.mean, s.se.value_or(0.0), static_cast<int>(s.n)};
+}
+
+std::vector<ledger::Row> Round::take_news() {
+    return std::exchange(news_, {});
+}
+
+}  // namespace k3d::optimizer

@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "optimizer/run.h"
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+
+#include <ctime>
+#include <filesystem>
+#include <fstream>
+#include <random>
+#include <sstream>
+
+#include "common/version/version.h"
+
+namespace k3d::optimizer {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+std::string content(const std::string& path) {
+    std::ifstream in(path, std::ios::binary);
+    std::ostringstream text;
+    text << in.rdbuf();
+    if (!in || fs::is_directory(path)) throw std::runtime_error("cannot read " + path);
+    return text.str();
+}
+
+spec::AgentFields fields_for(const std::string& toml) {
+    return spec::ask_agent_fields(config::text_at(toml, "task.agent_program").value_or(""));
+}
+
+/// Tells this run's jobs on a queue from those of any other, so it must not follow from a seed.
+std::string fresh_id(const std::string& name) {
+    std::random_device device;
+    std::string id = fmt::format("{}-{:08x}", name, device());
+    for (char& c : id) {
+        if (c == '.') c = '_';  // separates the parts of a subject
+    }
+    return id;
+}
+
+std::string now_text() {
+    return fmt::format("{:%Y-%m-%d %H:%M:%S} UTC", fmt::gmtime(std::time(nullptr)));
+}
+
+std::string payload_json(const algorithm::Payload& payload) {
+    if (const auto* values = std::get_if<std::vector<double>>(&payload)) {
+        return nlohmann::json(*values).dump();
+    }
+    return network::to_json(std::get<network::Definition>(payload));
+}
+
+algorithm::Algorithm new_algorithm(const spec::Experiment& e, const std::string& file) {
+    try {
+        return algorithm::Algorithm(e.algorithm, spec::problem_of(e), e.seed);
+    } catch (const algorithm::AlgorithmError& error) {
+        throw config::ConfigError(file + ": " + error.what());
+    }
+}
+
+const std::string& fact(const ledger::Facts& facts, const std::string& name) {
+    const auto found = facts.find(name);
+    if (found == facts.end()) {
+        throw ledger::LedgerError(fmt::format("the ledger does not tell '{}'", name));
+    }
+    return found->second;
+}
+
+}  // namespace
+
+std::string ledger_file(const std::string& folder) {
+    return folder + "/ledger.sqlite";
+}
+
+spec::Experiment experiment_of(const ledger::Facts& facts) {
+    const std::string& toml = fact(facts, "experiment");
+    const auto read = [&facts](const std::string&) { return fact(facts, "network"); };
+    return spec::parse_experiment(toml, fact(facts, "file"), fields_for(toml), read);
+}
+
+Run::Run(std::string folder, std::unique_ptr<ledger::Lock> lock, ledger::Ledger ledger)
+    : folder_(std::move(folder)), lock_(std::move(lock)), ledger_(std::move(ledger)) {
+    const ledger::Facts facts = ledger_.facts();
+    id_ = fact(facts, "id");
+    if (const std::string& version = fact(facts, "code_version"); version != code_version()) {
+        throw ledger::LedgerError(fmt::format(
+            "{}: begun by version {}, this is {}: its results would be others", folder_, version,
+            code_version()));
+    }
+    experiment_ = experiment_of(facts);
+    if (const auto round = ledger_.last_round()) {
+        rounds_ = round->number;
+        algorithm_ = algorithm::Algorithm::restore_text(round->state, ledger_file(folder_));
+    } else {
+        algorithm_ = new_algorithm(experiment_, fact(facts, "file"));
+    }
+}
+
+Run Run::begin(const std::string& file, const std::string& wanted_folder,
+               const std::string& command) {
+    std::string text;
+    try {
+        text = content(file);
+    } catch (const std::runtime_error& error) {
+        throw config::ConfigError(error.what());
+    }
+    std::string network;
+    const auto read = [&](const std::string& name) {
+        return network = content((fs::path(file).parent_path() / name).string());
+    };
+    const spec::Experiment e = spec::parse_experiment(text, file, fields_for(text), read);
+    new_algorithm(e, file);  // to learn of its faults before there is a folder
+    const std::string folder = wanted_folder.empty() ? "runs/" + e.name : wanted_folder;
+    if (fs::exists(ledger_file(folder))) {
+        throw ledger::LedgerError(fmt::format(
+            "{} has a run already: k3d-optimizer resume {}, or name another folder with --run",
+            folder, folder));
+    }
+    std::error_code fault;
+    fs::create_directories(folder, fault);
+    if (fault) throw ledger::LedgerError(fmt::format("{}: {}", folder, fault.message()));
+    auto lock = std::make_unique<ledger::Lock>(folder);
+    auto ledger = ledger::Ledger::create(ledger_file(folder),
+                                         {{"id", fresh_id(e.name)},
+                                          {"name", e.name},
+                                          {"experiment", text},
+                                          {"file", file},
+                                          {"network", network},
+                                          {"code_version", std::string(code_version())},
+                                          {"command", command},
+                                          {"begun", now_text()}});
+    return Run(folder, std::move(lock), std::move(ledger));
+}
+
+Run Run::resume(const std::string& folder) {
+    if (!fs::exists(ledger_file(folder))) {
+        throw ledger::LedgerError(fmt::format("{} has no run: no file {}", folder,
+                                              ledger_file(folder)));
+    }
+    auto lock = std::make_unique<ledger::Lock>(folder);
+    return Run(folder, std::move(lock),
+               ledger::Ledger::open(ledger_file(folder), ledger::Ledger::Access::Write));
+}
+
+std::optional<std::string> Run::ended() const {
+    if (const auto reason = algorithm_->finished()) return reason;
+    // Counted up to the present generation alone: within it nothing changes, resumed or not.
+    const double limit_s = experiment_.budget.simulated_hours * 3600.0;
+    if (limit_s > 0.0 && ledger_.simulated_before(algorithm_->generation()) >= limit_s) {
+        return "simulated_hours";
+    }
+    return std::nullopt;
+}
+
+std::optional<Round> Run::next_round() {
+    if (!ended()) return search_round();
+    Round test = test_round();
+    return test.complete() ? std::nullopt : std::optional(std::move(test));
+}
+
+Round Run::search_round() {
+    Round round(experiment_);
+    const JobMaker maker{experiment_, id_};
+    for (const algorithm::Request& request : algorithm_->ask()) {
+        round.add(request);
+        for (int i = 0; i < request.episodes; ++i) {
+            round.add(maker.job(request.payload, phase_of(request.pool), request, i), ledger_);
+        }
+    }
+    return round;
+}
+
+Round Run::test_round() const {
+    Round round(experiment_);
+    const auto champion = algorithm_->champion();
+    if (!champion) return round;
+    const JobMaker maker{experiment_, id_};
+    const algorithm::Request request{champion->candidate, champion->generation,
+                                     algorithm::Pool::Test, experiment_.test.episodes,
+                                     champion->payload};
+    algorithm::Request untuned = request;
+    untuned.candidate = 0;
+    for (int i = 0; i < request.episodes; ++i) {
+        round.add(maker.job(champion->payload, episode::Phase::Test, request, i), ledger_);
+        if (!experiment_.test.baseline) continue;
+        round.add(maker.job(std::nullopt, episode::Phase::Baseline, untuned, i), ledger_);
+    }
+    return round;
+}
+
+std::vector<nlohmann::json> Run::close(const Round& round) {
+    if (round.requests().empty()) {  // the test: nothing to learn from
+        ledger_.set_fact("finished", now_text());
+        return {};
+    }
+    std::vector<ledger::Candidate> candidates;
+    for (const algorithm::Request& request : round.requests()) {
+        algorithm_->tell(request.candidate, request.pool, round.score(request));
+        candidates.push_back(
+            {request.candidate, request.generation, payload_json(request.payload)});
+    }
+    algorithm_->advance();
+    // The log is taken first: what is saved must not depend on when the run was resumed.
+    const std::vector<nlohmann::json> log = algorithm_->take_log();
+    ledger_.save_round({++rounds_, algorithm_->save().dump(), log}, candidates);
+    return log;
+}
+
+report::RunView Run::view(const Round& round) const {
+    return {round.requests().empty(), algorithm_->generation(),
+            experiment_.algorithm.max_generations, round.known(), round.episodes()};
+}
+
+}  // namespace k3d::optimizer

@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "optimizer/spec/experiment.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "optimizer/spec/parameter_tree.h"
+#include "optimizer/spec/settings.h"
+
+namespace k3d::optimizer::spec {
+
+namespace {
+
+/// Faults of one text, to be told all at once.
+class Faults {
+  public:
+    Faults(std::string_view toml, std::string file) : toml_(toml), file_(std::move(file)) {}
+
+    /// `path` is where the fault stands: its line, or that of the section it is missing from.
+    void add(std::string path, const std::string& text) {
+        std::optional<int> line;
+        const std::string said = path;
+        while (!(line = config::line_of(toml_, path)) && path.find('.') != std::string::npos) {
+            path.resize(path.rfind('.'));
+        }
+        faults_.push_back(fmt::format("{}:{}: \"{}\" {}", file_, line.value_or(1), said, text));
+    }
+
+    void throw_if_any() const {
+        if (!faults_.empty()) {
+            throw config::ConfigError(fmt::format("{}", fmt::join(faults_, "\n")));
+        }
+    }
+
+  private:
+    std::string_view toml_;
+    std::string file_;
+    std::vector<std::string> faults_;
+};
+
+bool is_whole(double value) {
+    return std::floor(value) == value;
+}
+
+/// Faults of one parameter; in `path.key` what is wrong.
+void check_parameter(const std::string& path, const AgentField& field, const Wanted& w,
+                     const Parameter& p, Faults& faults) {
+    if (!w.frozen && std::isnan(w.lower)) return faults.add(path + ".lower", "is missing");
+    if (!w.frozen && std::isnan(w.upper)) return faults.add(path + ".upper", "is missing");
+    if (!(p.lower < p.upper) && !w.frozen) {
+        return faults.add(path + ".lower", fmt::format("is {}, which is not below upper, {}",
+                                                       p.lower, p.upper));
+    }
+    if (p.start < p.lower || p.start > p.upper) {
+        return faults.add(path + ".start",
+                          fmt::format("is {}{}, outside {} to {}", p.start,
+                                      std::isnan(w.start) ? " (the agent's own value)" : "",
+                                      p.lower, p.upper));
+    }
+    if (field.integer && !w.integer) {
+        return faults.add(path + ".integer", "is false, but the setting takes whole numbers only");
+    }
+    if (w.integer && !(is_whole(p.lower) && is_whole(p.upper) && is_whole(p.start))) {
+        return faults.add(path, "is whole, but lower, upper or start is not");
+    }
+    if (!(p.deviation > 0.0)) {
+        faults.add(path + ".deviation", fmt::format("is {}, wanted is more than 0", p.deviation));
+    }
+}
+
+VectorProblem chosen(const AgentFields& fields, const ParameterTree& tree, std::string_view toml,
+                     Faults& faults) {
+    VectorProblem parameters;
+    for (std::size_t i = 0; i < fields.numbers.size(); ++i) {
+        const AgentField& field = fields.numbers[i];
+        const std::string path = "parameters." + field.path;
+        if (!config::line_of(toml, path)) continue;
+        const Wanted& w = tree.wanted()[i];
+        Parameter p;
+        p.name = field.path;
+        p.lower = std::isnan(w.lower) ? field.min : w.lower;
+        p.upper = std::isnan(w.upper) ? field.max : w.upper;
+        p.start = std::isnan(w.start) ? field.value : w.start;
+        p.deviation = std::isnan(w.deviation) ? (p.upper - p.lower) / 5.0 : w.deviation;
+        if (w.frozen && !(p.deviation > 0.0 && std::isfinite(p.deviation))) p.deviation = 1.0;
+        p.integer = w.integer;
+        p.frozen = w.frozen;
+        check_parameter(path, field, w, p, faults);
+        parameters.push_back(p);
+    }
+    return parameters;
+}
+
+bool is_name(const std::string& text) {
+    return !text.empty() && text.size() <= 64 && text[0] != '.' && text[0] != '-' &&
+           std::all_of(text.begin(), text.end(), [](unsigned char c) {
+               return std::isalnum(c) != 0 || c == '_' || c == '-' || c == '.';
+           });
+}
+
+void check_network(Experiment& e, const AgentFields& fields, const ReadFile& read,
+                   Faults& faults) {
+    if (e.network.path.empty()) {
+        if (!e.network.start.empty()) faults.add("network.path", "is missing");
+        if (e.algorithm.name == "neat") {
+            faults.add("algorithm.name", "is neat, which needs a [network]");
+        }
+        return;
+    }
+    const auto& texts = fields.texts;
+    if (std::find(texts.begin(), texts.end(), e.network.path) == texts.end()) {
+        faults.add("network.path",
+                   fmt::format("is \"{}\", which is no text among the agent's settings",
+                               e.network.path));
+    }
+    try {
+        e.start_network = network::parse(read(e.network.start), e.network.start);
+    } catch (const std::exception& error) {
+        faults.add("network.start", fmt::format("is \"{}\": {}", e.network.start, error.what()));
+    }
+}
+
+void check_search(const Experiment& e, Faults& faults) {
+    if (!is_name(e.name)) {
+        faults.add("name", fmt::format("is \"{}\", wanted are letters, digits, _ - .", e.name));
+    }
+    const bool network = !e.network.path.empty();
+    if (network && !e.parameters.empty()) {
+        faults.add("parameters", "stands beside [network]; one of them can be tuned");
+    }
+    const bool all_frozen = std::all_of(e.parameters.begin(), e.parameters.end(),
+                                        [](const Parameter& p) { return p.frozen; });
+    if (!network && all_frozen) faults.add("parameters", "names nothing that is to be tuned");
+    try {
+        parse_settings(e.task.settings);
+    } catch (const std::invalid_argument& error) {
+        faults.add("task.settings", fmt::format("is no list of settings: {}", error.what()));
+    }
+}
+
+}  // namespace
+
+void Experiment::describe(config::Fields& f) {
+    f.text("name", name, {}, "of the experiment; its runs are named after it");
+    f.text("description", description, {}, "what it is for");
+    f.seed("seed", seed, "of the search and of all its episodes");
+    f.section("task", task);
+    f.section("algorithm", algorithm);
+    f.section("budget", budget);
+    f.section("test", test);
+    f.section("network", network);
+}
+
+Experiment parse_experiment(std::string_view toml, const std::string& file,
+                            const AgentFields& fields, const ReadFile& read) {
+    Experiment e;
+    ParameterTree tree(fields);
+    const auto describe = [&](config::Fields& f) {
+        e.describe(f);
+        f.section("parameters", tree);
+    };
+    config::load_text(describe, toml, file);
+    Faults faults(toml, file);
+    e.parameters = chosen(fields, tree, toml, faults);
+    check_search(e, faults);
+    check_network(e, fields, read, faults);
+    faults.throw_if_any();
+    return e;
+}
+
+Problem problem_of(const Experiment& e) {
+    if (!e.start_network) return e.parameters;
+    if (e.algorithm.name == "neat") return NetworkProblem{*e.start_network};
+    VectorProblem weights;
+    const auto add = [&](std::string name, double start) {
+        const double bound = std::max(e.network.bound, std::abs(start));
+        weights.push_back({std::move(name), start, e.network.deviation, -bound, bound});
+    };
+    for (const network::Link& link : e.start_network->links) {
+        add(link.from + ">" + link.to, link.weight);
+    }
+    for (const network::Node& node : e.start_network->nodes) add("bias " + node.name, node.bias);
+    return weights;
+}
+
+network::Definition with_weights(const network::Definition& start,
+                                 const std::vector<double>& values) {
+    network::Definition net = start;
+    std::size_t next = 0;
+    for (network::Link& link : net.links) link.weight = values.at(next++);
+    for (network::Node& node : net.nodes) node.bias = values.at(next++);
+    return net;
+}
+
+}  // namespace k3d::optimizer::spec

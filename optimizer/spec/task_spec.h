@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The [task] section of an experiment: what one episode is, and what it is worth.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "common/config/fields.h"
+
+namespace k3d::optimizer::spec {
+
+inline const std::vector<std::string> kTaskNames{"keepaway", "walk_forward", "walk_turn", "go_to",
+                                                 "kick",     "possession",   "ball_prediction"};
+
+struct TaskSpec {
+    std::string name = "keepaway";
+    std::string fitness;
+    double worst = 0.0;
+    std::string tuned = "keeper";
+    int keepers = 3;
+    int takers = 2;
+    std::string taker = "greedy";
+    std::string settings;
+    double deadline_s = 1800.0;
+    double lobby_s = 60.0;
+    double hung_agent_s = 30.0;
+    std::string server_program;
+    std::string agent_program;
+    bool operator==(const TaskSpec&) const = default;
+
+    void describe(config::Fields& f) {
+        f.text("name", name, kTaskNames, "what is played");
+        f.text("fitness", fitness, {},
+               "figure of the episode that is maximised; empty: the task's own");
+        f.number("worst", worst, {-1e9, 1e9}, "",
+                 "fitness of an episode that gave no valid result in all its tries");
+        f.text("tuned", tuned, {"keeper", "taker", "agent"},
+               "keepaway: who gets the parameters; agent: both sides");
+        f.integer("keepers", keepers, {1, 11}, "players", "keepaway: left team");
+        f.integer("takers", takers, {1, 11}, "players", "keepaway: right team");
+        f.text("taker", taker, {"greedy", "greedy_random"}, "keepaway: the takers' strategy");
+        f.text("settings", settings, {},
+               "words PROGRAM:path=value for server, agent, keeper or taker, the same in all "
+               "episodes");
+        f.number("deadline_s", deadline_s, {0.1, 86400.0}, "s", "wall time of one try");
+        f.number("lobby_s", lobby_s, {0.1, 86400.0}, "s", "wall time until all seats are taken");
+        f.number("hung_agent_s", hung_agent_s, {0.1, 3600.0}, "s",
+                 "wall time an agent may keep the others waiting");
+        f.text("server_program", server_program, {}, "empty: k3d-server beside this program");
+        f.text("agent_program", agent_program, {}, "empty: k3d-agent beside this program");
+    }
+};
+
+}  // namespace k3d::optimizer::spec

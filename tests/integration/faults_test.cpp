@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Runs on workers by way of nats-server, undisturbed and under twenty faults: the bytes are those of
+// a calm run with one job. Faults strike at times that the machine decides; what must come out does
+// not depend on them.
+#include <gmock/gmock.h>
+#include <nats/nats.h>
+
+#include <algorithm>
+#include <map>
+#include <thread>
+
+#include "common/random/stream.h"
+#include "integration/nats_process.h"
+#include "integration/run_rig.h"
+
+namespace k3d::testing {
+namespace {
+
+using ::testing::HasSubstr;
+using std::chrono::milliseconds;
+
+/// Gives every outcome to the daemon a second time.
+class Doubler {
+  public:
+    explicit Doubler(const std::string& url) {
+        natsOptions_Create(&options_);
+        natsOptions_SetURL(options_, url.c_str());
+        natsOptions_SetMaxReconnect(options_, -1);
+        natsOptions_SetReconnectWait(options_, 100);
+        EXPECT_EQ(natsConnection_Connect(&connection_, options_), NATS_OK);
+        EXPECT_EQ(natsConnection_Subscribe(&subscription_, connection_, "k3d.outcome.>", again, this),
+                  NATS_OK);
+    }
+    ~Doubler() {
+        natsSubscription_Destroy(subscription_);
+        natsConnection_Destroy(connection_);
+        natsOptions_Destroy(options_);
+    }
+    int count() const { return count_; }
+
+  private:
+    /// Our own copies come back too: every second sight of a text is one of them.
+    static void again(natsConnection* connection, natsSubscription*, natsMsg* message, void* self) {
+        auto& me = *static_cast<Doubler*>(self);
+        const std::string text(natsMsg_GetData(message),
+                               static_cast<std::size_t>(natsMsg_GetDataLength(message)));
+        if (++me.seen_[text] % 2 == 1) {
+            ++me.count_;
+            natsConnection_Publish(connection, natsMsg_GetSubject(message), text.data(),
+                                   static_cast<int>(text.size()));
+        }
+        natsMsg_Destroy(message);
+    }
+
+    natsOptions* options_ = nullptr;
+    natsConnection* connection_ = nullptr;
+    natsSubscription* subscription_ = nullptr;
+    std::map<std::string, int> seen_;
+    std::atomic<int> count_{0};
+};
+
+class Faults : public RunRig {
+  protected:
+    static constexpr int kWorkers = 3;
+
+    Faults() : nats_(folder_ + "/nats") {}
+
+    void start_worker(int index) {
+        const std::string log = "worker-" + std::to_string(index) + ".log";
+        workers_[index] = std::make_unique<process::Child>(
+            start({"worker", "--nats", nats_.url(), "--jobs", "2"}, log));
+    }
+
+    void start_daemon(const std::string& verb) {
+        std::vector<std::string> words{verb};
+        if (verb == "run") words.insert(words.end(), {path("exp.toml"), "--run"});
+        words.insert(words.end(), {path("hit"), "--nats", nats_.url(), "--lease-s", "1"});
+        daemon_ = std::make_unique<process::Child>(start(words, "daemon.log"));
+    }
+
+    std::string calm_bytes() {
+        EXPECT_EQ(run({"run", path("exp.toml"), "--run", path("calm"), "--jobs", "4"}, "calm.log"), 0)
+            << content("calm.log");
+        return canonical("calm");
+    }
+
+    /// Waits for the daemon's end; it must be in order.
+    void expect_end() {
+        const auto exit = daemon_->wait(kRunPatience);
+        ASSERT_TRUE(exit) << "the run has no end\n" << content("daemon.log");
+        EXPECT_EQ(exit->code, 0) << content("daemon.log");
+    }
+
+    bool kill_an_episodes_server(RandomStream& random) {
+        std::vector<pid_t> servers;
+        std::error_code gone;
+        for (const auto& entry : std::filesystem::directory_iterator(path("quick"), gone)) {
+            servers.push_back(std::stoi(entry.path().filename()));
+        }
+        if (servers.empty()) return false;
+        const pid_t pid = servers[static_cast<std::size_t>(random.below(int(servers.size())))];
+        ::unlink((path("quick") + "/" + std::to_string(pid)).c_str());
+        return ::kill(pid, SIGKILL) == 0;
+    }
+
+    /// One fault; false if there was nothing to strike.
+    bool strike(int kind, RandomStream& random) {
+        const int victim = random.below(kWorkers);
+        switch (kind) {
+            case 0:
+                workers_[victim]->kill();
+                start_worker(victim);
+                return true;
+            case 1:
+                daemon_->kill();
+                start_daemon("resume");
+                return true;
+            case 2:
+                return kill_an_episodes_server(random);
+            case 3:
+                nats_.kill();
+                std::this_thread::sleep_for(milliseconds(random.below(400)));
+                nats_.start_again();
+                return true;
+            default:
+                // Beyond its lease: others get its episodes, and it finishes them all the same.
+                ::kill(workers_[victim]->pid(), SIGSTOP);
+                std::this_thread::sleep_for(milliseconds(1500));
+                ::kill(workers_[victim]->pid(), SIGCONT);
+                return true;
+        }
+    }
+
+    NatsProcess nats_;
+    std::map<int, std::unique_ptr<process::Child>> workers_;
+    std::unique_ptr<process::Child> daemon_;
+};
+
+TEST_F(Faults, WorkersGiveTheBytesOfOneMachine) {
+    for (int i = 0; i < kWorkers; ++i) start_worker(i);
+    start_daemon("run");
+    expect_end();
+    EXPECT_EQ(canonical("hit"), calm_bytes());
+    const std::string rows = shown("hit", "--csv");
+    for (int i = 0; i < kWorkers; ++i) {
+        EXPECT_THAT(rows, HasSubstr(":" + std::to_string(workers_[i]->pid()) + "\n"));
+    }
+}
+
+TEST_F(Faults, TwentyFaultsLeaveNoTrace) {
+    std::string text = quick_experiment();
+    text.replace(text.find("max_generations = 4"), 19, "max_generations = 12");
+    write("exp.toml", text);
+    const Doubler doubler(nats_.url());
+    for (int i = 0; i < kWorkers; ++i) start_worker(i);
+    start_daemon("run");
+    RandomStream random(7, "faults", "kinds");
+    int faults = 0;
+    while (faults < 20) {
+        const auto ended = daemon_->wait(milliseconds(150 + random.below(300)));
+        ASSERT_FALSE(ended) << "ended after " << faults << " faults, " << ended->text() << '\n'
+                            << content("daemon.log");
+        if (!std::filesystem::exists(path("hit/ledger.sqlite"))) continue;
+        // Every kind four times, in an order of chance.
+        if (strike((faults + random.below(5)) % 5, random)) ++faults;
+    }
+    expect_end();
+    EXPECT_GT(doubler.count(), 100);
+    EXPECT_EQ(canonical("hit"), calm_bytes());
+    EXPECT_THAT(content("daemon.log"), ::testing::Not(HasSubstr("two ways")));
+}
+
+TEST_F(Faults, TheDaemonWaitsForAServerThatIsAway) {
+    nats_.kill();
+    start_daemon("run");
+    start_worker(0);
+    EXPECT_FALSE(daemon_->wait(milliseconds(1500)));
+    EXPECT_THAT(content("daemon.log"), HasSubstr("waiting for nats-server: nats://127.0.0.1:"));
+    EXPECT_THAT(content("worker-0.log"), HasSubstr("waiting for nats-server: nats://127.0.0.1:"));
+    nats_.start_again();
+    expect_end();
+}
+
+TEST_F(Faults, AWorkerThatIsToldToStopGivesItsWorkBack) {
+    start_worker(0);
+    start_daemon("run");
+    EXPECT_FALSE(daemon_->wait(milliseconds(1000)));
+    workers_[0]->terminate();
+    const auto exit = workers_[0]->wait(std::chrono::seconds(20));
+    ASSERT_TRUE(exit);
+    EXPECT_EQ(exit->code, 0) << content("worker-0.log");
+    start_worker(1);
+    expect_end();
+}
+
+}  // namespace
+}  // namespace k3d::testing

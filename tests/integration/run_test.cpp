@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Experiments from end to end: the same bytes on any number of jobs and after any death; what is
+// wrong is named.
+#include <gmock/gmock.h>
+
+#include <algorithm>
+
+#include "integration/run_rig.h"
+
+namespace k3d::testing {
+namespace {
+
+using ::testing::HasSubstr;
+
+class Runs : public RunRig {};
+
+TEST_F(Runs, FourJobsGiveTheBytesOfOne) {
+    ASSERT_EQ(run({"run", path("exp.toml"), "--run", path("one")}, "one.log"), 0)
+        << content("one.log");
+    ASSERT_EQ(run({"run", path("exp.toml"), "--run", path("four"), "--jobs", "4"}, "four.log"), 0)
+        << content("four.log");
+    const std::string bytes = canonical("one");
+    EXPECT_EQ(bytes, canonical("four"));
+    // 4 generations of 6 x 4 episodes; finalists; champion and baseline.
+    EXPECT_GE(std::count(bytes.begin(), bytes.end(), '\n'), 4 * 6 * 4 + 4 + 4);
+    EXPECT_THAT(bytes, HasSubstr("train,3,"));
+    EXPECT_THAT(bytes, HasSubstr("\nvalidation,0,"));
+    EXPECT_THAT(bytes, HasSubstr("\nbaseline,0,0,3,"));
+    EXPECT_THAT(content("one.log"), HasSubstr("champion on test seeds: "));
+    EXPECT_EQ(run({"best", path("one")}, "best.toml"), 0);
+    EXPECT_THAT(content("best.toml"), HasSubstr("[keeper]\nhold_threshold = "));
+    // A run that is over has nothing left to do.
+    EXPECT_EQ(run({"resume", path("one")}, "again.log"), 0);
+    EXPECT_EQ(bytes, canonical("one"));
+}
+
+TEST_F(Runs, AKilledDaemonGoesOnWhereItWas) {
+    ASSERT_EQ(run({"run", path("exp.toml"), "--run", path("calm"), "--jobs", "4"}, "calm.log"), 0);
+    std::vector<std::string> words{"run", path("exp.toml"), "--run", path("hit"), "--jobs", "4"};
+    std::string before;
+    for (int kills = 0; kills < 5; ++kills) {
+        process::Child daemon = start(words, "hit.log");
+        daemon.wait(std::chrono::milliseconds(600 + 250 * kills));
+        daemon.kill();
+        words = {"resume", path("hit"), "--jobs", "4"};
+        const std::string now = shown("hit", "--csv");
+        // Every row that was there is there as it was, worker and all: nothing is played twice.
+        std::istringstream lines(before);
+        for (std::string line; std::getline(lines, line);) EXPECT_THAT(now, HasSubstr(line));
+        before = now;
+    }
+    ASSERT_EQ(run(words, "hit.log"), 0) << content("hit.log");
+    EXPECT_GT(before.size(), 1000U) << "the daemon was killed before it had done anything";
+    EXPECT_EQ(canonical("hit"), canonical("calm"));
+}
+
+TEST_F(Runs, StopsInOrderAndGoesOn) {
+    process::Child daemon = start({"run", path("exp.toml"), "--run", path("a")}, "a.log");
+    daemon.wait(std::chrono::milliseconds(800));
+    ::kill(daemon.pid(), SIGTERM);
+    const auto exit = daemon.wait(kRunPatience);
+    ASSERT_TRUE(exit);
+    EXPECT_EQ(exit->code, 130) << content("a.log");
+    EXPECT_THAT(content("a.log"), HasSubstr("go on with: k3d-optimizer resume " + path("a")));
+}
+
+TEST_F(Runs, ASecondDaemonIsTurnedAway) {
+    process::Child daemon = start({"run", path("exp.toml"), "--run", path("a")}, "a.log");
+    daemon.wait(std::chrono::milliseconds(500));
+    EXPECT_EQ(run({"resume", path("a")}, "second.log"), 1);
+    EXPECT_EQ(content("second.log"), "k3d-optimizer: " + path("a") +
+                                         ": another k3d-optimizer is at work here, process " +
+                                         std::to_string(daemon.pid()) + "\n");
+    EXPECT_EQ(run({"run", path("exp.toml"), "--run", path("a")}, "third.log"), 1);
+    EXPECT_THAT(content("third.log"), HasSubstr("has a run already: k3d-optimizer resume "));
+}
+
+TEST_F(Runs, AnEpisodeThatNeverWorksIsCountedAsTheWorst) {
+    std::string text = quick_experiment();
+    const std::string bad = path("broken");
+    write("broken", "#!/bin/sh\ncase \"$*\" in *--results*) "
+                    "[ $(( $(echo \"$*\" | sed 's/.*--seed \\([0-9]*\\).*/\\1/') % 3 )) = 0 ] && kill -9 $$;; esac\n"
+                    "exec " K3D_BIN_DIR "/quick_episode \"$@\"\n");
+    std::filesystem::permissions(bad, std::filesystem::perms::owner_all);
+    const std::string from = "server_program = \"" K3D_BIN_DIR "/quick_episode";
+    text.replace(text.find(from), from.size(), "worst = -5.0\nserver_program = \"" + bad);
+    text.replace(text.find("max_generations = 4"), 19, "max_generations = 1");
+    write("exp.toml", text);
+    ASSERT_EQ(run({"run", path("exp.toml"), "--run", path("a"), "--jobs", "4"}, "a.log"), 0)
+        << content("a.log");
+    EXPECT_THAT(shown("a", "--csv"), HasSubstr(",failed,no valid result in 4 tries,-5,"));
+    EXPECT_THAT(content("a.log"), HasSubstr("try 4 of 4 failed: server: killed by signal 9"));
+}
+
+TEST_F(Runs, MistakesAreNamed) {
+    write("bad.toml", "name = \"x\"\n[parameters.keeper.hold_treshold]\nlower = 1.0\n");
+    EXPECT_EQ(run({"run", path("bad.toml"), "--run", path("x")}, "said"), 2);
+    EXPECT_EQ(content("said"), "k3d-optimizer: " + path("bad.toml") +
+                                   ":2: unknown key \"parameters.keeper.hold_treshold\", the "
+                                   "nearest known one is \"parameters.keeper.hold_threshold\"\n");
+    EXPECT_FALSE(std::filesystem::exists(path("x")));
+    EXPECT_EQ(run({"run", path("none.toml")}, "said"), 2);
+    EXPECT_EQ(content("said"), "k3d-optimizer: cannot read " + path("none.toml") + "\n");
+    EXPECT_EQ(run({"resume", path("nowhere")}, "said"), 1);
+    EXPECT_THAT(content("said"), HasSubstr(path("nowhere") + " has no run"));
+    write("exp2.toml", quick_experiment() + "[algorithm.random_search]\npopulation = -1\n");
+    EXPECT_EQ(run({"run", path("exp2.toml"), "--run", path("x")}, "said"), 2);
+    EXPECT_THAT(content("said"), HasSubstr("exp2.toml:"));
+    std::filesystem::create_directories(path("torn"));
+    write("torn/ledger.sqlite", "no database, but long enough to be asked whether it is one: "
+                                "one hundred bytes and more of text at the beginning");
+    EXPECT_EQ(run({"resume", path("torn")}, "said"), 1);
+    EXPECT_THAT(content("said"), HasSubstr("ledger.sqlite: file is not a database"));
+}
+
+TEST_F(Runs, NoRoomForTheLedgerIsAnErrorAndTheRunGoesOnLater) {
+    ASSERT_EQ(run({"run", path("exp.toml"), "--run", path("calm"), "--jobs", "4"}, "calm.log"), 0);
+    // Files may not grow beyond 100 blocks of 1024 bytes, as on a disk that is full.
+    process::Child small({{"/bin/bash", "-c",
+                           "trap '' XFSZ; ulimit -f 100; exec \"$0\" run \"$1\" --run \"$2\" --jobs 4",
+                           std::string(K3D_BIN_DIR) + "/k3d-optimizer", path("exp.toml"), path("a")},
+                          path("a.log"), false});
+    const auto exit = small.wait(kRunPatience);
+    ASSERT_TRUE(exit);
+    EXPECT_EQ(exit->code, 1);
+    EXPECT_THAT(content("a.log"), HasSubstr("ledger.sqlite: "));
+    ASSERT_EQ(run({"resume", path("a"), "--jobs", "4"}, "a.log"), 0) << content("a.log");
+    EXPECT_EQ(canonical("a"), canonical("calm"));
+}
+
+}  // namespace
+}  // namespace k3d::testing

@@ -3,10 +3,22 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
+#include "common/log/limiter.h"
+
 namespace k3d::server::session {
 
 namespace {
 constexpr int kMaxUnum = 11;
+
+/// Names stand in percepts, monitor streams, JSON and logs, and a frame to an agent has 8 KiB.
+constexpr std::size_t kMaxNameBytes = 32;
+
+bool is_name(std::string_view text) {
+    return !text.empty() && text.size() <= kMaxNameBytes &&
+           std::all_of(text.begin(), text.end(), [](char c) { return c > ' ' && c <= '~'; });
+}
 
 std::size_t slot_of(wire::Side side) { return side == wire::Side::Left ? 0 : 1; }
 }  // namespace
@@ -15,6 +27,10 @@ Teams::Teams(std::string left, std::string right, int left_seats, int right_seat
     : names_{std::move(left), std::move(right)}, seats_{left_seats, right_seats} {}
 
 tl::expected<Seat, std::string> Teams::assign(const wire::InitCommand& init) {
+    if (!is_name(init.team)) {
+        return tl::unexpected(fmt::format("team name '{}' is not 1 to {} bytes of visible ASCII",
+                                          log::printable(init.team), kMaxNameBytes));
+    }
     std::size_t slot = 0;
     if (init.team == names_[0]) {
         slot = 0;
@@ -26,7 +42,6 @@ tl::expected<Seat, std::string> Teams::assign(const wire::InitCommand& init) {
         return tl::unexpected(fmt::format("third team '{}': the match is '{}' against '{}'",
                                           init.team, names_[0], names_[1]));
     }
-    if (init.team.empty()) return tl::unexpected(std::string("no team name"));
     std::set<int>& taken = taken_[slot];
     if (static_cast<int>(taken.size()) >= seats_[slot]) {
         return tl::unexpected(

@@ -45,6 +45,16 @@ TEST(Teams, TheTwelfthPlayerIsRefusedAndALeftSeatIsFreeAgain) {
     EXPECT_EQ(teams.assign({0, "Reds"})->unum, 5);
 }
 
+TEST(Teams, NamesThatWouldHurtOthersAreRefused) {
+    Teams teams("", "", 11, 11);
+    const std::string why = " is not 1 to 32 bytes of visible ASCII";
+    EXPECT_EQ(teams.assign({1, ""}).error(), "team name ''" + why);
+    EXPECT_EQ(teams.assign({1, "R\xC3\xA9" "ds\x1B[2J"}).error(), "team name 'R??ds?[2J'" + why);
+    EXPECT_EQ(teams.assign({1, std::string(60'000, 'x')}).error(),
+              "team name '" + std::string(120, 'x') + "...'" + why);
+    EXPECT_TRUE(teams.assign({1, std::string(32, 'x')}));
+}
+
 TEST(Teams, KeepawaySeatsAreCountedAndNamed) {
     Teams teams("Keepers", "Takers", 2, 1);
     EXPECT_EQ(teams.missing(), "left 1, left 2, right 1");

@@ -207,14 +207,20 @@ TEST(Hostile, StrangersOfASoccerMatchHoldNobodyUp) {
 }
 
 TEST(Hostile, WhoNeverTakesASeatIsDisconnected) {
-    ServerProcess server({"--pace", "sync", "--set", "network.handshake=0.2"});
+    ServerProcess server({"--pace", "sync", "--set", "network.handshake=2"});
     RawSocket silent(server.agent_port());
     RawSocket robot_only(server.agent_port());
     robot_only.write(framed("(scene rsg/agent/nao/nao.rsg)"));
     WireAgent good(server);
     good.join(1, "Reds");
-    for (int i = 0; i < 20; ++i) good.step();
-    EXPECT_TRUE(silent.closed_by_peer(kPatience));
+    const auto closed = [](RawSocket& socket) { return socket.closed_by_peer(std::chrono::milliseconds(1)); };
+    bool gone = false;
+    for (int i = 0; i < 1500 && !gone; ++i) {
+        good.step();
+        gone = closed(silent);
+    }
+    EXPECT_TRUE(gone);
+    good.step();
     EXPECT_TRUE(robot_only.closed_by_peer(kPatience));
     good.step();
     EXPECT_EQ(lines_with(server.log(), "left: no seat after"), 2) << server.log();

@@ -201,7 +201,8 @@ TEST(Hostile, StrangersOfASoccerMatchHoldNobodyUp) {
     no_seat.send("(scene rsg/agent/nao/nao.rsg)");
     WireAgent refused(server);
     refused.send("(scene rsg/agent/nao/nao.rsg)(syn)");
-    refused.step("(init (unum 1)(teamname Reds))");
+    good.step();
+    refused.send("(init (unum 1)(teamname Reds))(syn)");
     double time = good.step().time;
     for (int i = 0; i < 50; ++i, time += 0.02) EXPECT_NEAR(good.step().time, time + 0.02, 1e-9);
 }

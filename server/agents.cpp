@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Simulation: what agents' commands do, and how agents come and go.
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <chrono>
 
 #include "common/log/log.h"
 #include "server/cycle.h"
@@ -8,24 +11,42 @@
 
 namespace k3d::server {
 
-namespace {
-/// An agent with fewer percepts than this counts as synced (reference 2.3): it is still starting.
-constexpr int kGracePercepts = 5;
-}  // namespace
+void Simulation::accept_agent(std::unique_ptr<net::Connection> accepted) {
+    // Strangers may come and go by the thousand while a cycle waits.
+    std::erase_if(agents_, [this](const auto& agent) {
+        const bool gone = agent->connection->spent() && !agent->seat && !agent->player;
+        if (gone && !agent->lost) say_left(*agent, agent->connection->close_reason());
+        return gone;
+    });
+    agents_.push_back(std::make_unique<session::AgentSession>(std::move(accepted)));
+}
+
+void Simulation::say_left(const session::AgentSession& agent, const std::string& why) {
+    const auto level = agent.connection->broke_limit() ? spdlog::level::warn : spdlog::level::info;
+    if (agent.seat) {
+        spdlog::log(level, "{} left: {}", agent.name(), why);
+    } else {
+        notices_.say(level, "{} left: {}", agent.name(), why);
+    }
+}
 
 bool Simulation::everybody_synced() {
     bool everybody = !serves_monitors() || monitors_.read();
     for (const auto& agent : agents_) {
-        agent->read_frames();  // of newcomers too: their faults must not wait for the others
-        const bool waited_for = agent->player && !agent->connection->closed() &&
-                                agent->percepts_sent >= kGracePercepts;
-        everybody = everybody && (!waited_for || agent->synced);
+        agent->read_frames(notices_);  // of newcomers too: their faults must not wait for the others
+        everybody = everybody && (!agent->waited_for() || agent->synced);
     }
     return everybody;
 }
 
 void Simulation::drop_closed_agents() {
+    const auto now = net::Clock::now();
     for (const auto& agent : agents_) {
+        const std::chrono::duration<double> age = now - agent->since;
+        if (!agent->seat && age.count() > config_.network.handshake) {
+            agent->connection->close(fmt::format("no seat after {:.0f} s, limit {:g} s",
+                                                 age.count(), config_.network.handshake));
+        }
         if (agent->connection->closed() && !agent->lost) {
             lose(*agent, agent->connection->close_reason());
         }
@@ -35,7 +56,7 @@ void Simulation::drop_closed_agents() {
 
 void Simulation::lose(session::AgentSession& agent, const std::string& why) {
     const std::string name = agent.name();
-    spdlog::info("{} left: {}", name, why);
+    say_left(agent, why);
     agent.connection->close(why);
     agent.lost = true;
     if (agent.seat) teams_.release(*agent.seat);
@@ -57,10 +78,13 @@ void Simulation::load_robot(session::AgentSession& agent) {
     const wire::SceneCommand& scene = *agent.commands.scene;
     const auto type = session::robot_type(scene);
     if (agent.type) {
-        spdlog::warn("{}: a second scene is ignored", agent.name());
+        notices_.say(spdlog::level::warn, "{}: a second scene is ignored", agent.name());
     } else if (!type) {
-        spdlog::warn("{}: robot type '{}' is not in 0..{}", agent.name(), scene.arguments.front(),
-                     nao::kTypeCount - 1);
+        notices_.say(spdlog::level::warn, "{}: robot type '{}' is not in 0..{}", agent.name(),
+                     log::printable(scene.arguments.front()), nao::kTypeCount - 1);
+    } else if (!lobby_ && config_.game == "keepaway") {
+        // A further robot would stand in everybody's way, and none can take a seat now.
+        notices_.say(spdlog::level::warn, "{}: no robot, the match has begun", agent.name());
     } else {
         agent.type = *type;
         if (!lobby_) {
@@ -77,12 +101,12 @@ void Simulation::take_seat(session::AgentSession& agent) {
     const wire::InitCommand init = *agent.commands.init;
     agent.commands.init.reset();
     if (agent.seat) {
-        spdlog::warn("{}: a second init is ignored", agent.name());
+        notices_.say(spdlog::level::warn, "{}: a second init is ignored", agent.name());
         return;
     }
     const auto seat = teams_.assign(init, *agent.type);
     if (!seat) {
-        spdlog::warn("{} gets no seat: {}", agent.name(), seat.error());
+        notices_.say(spdlog::level::warn, "{} gets no seat: {}", agent.name(), seat.error());
         return;
     }
     agent.team_name = init.team;

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "common/config/fields.h"
+#include "common/net/net.h"
 #include "server/effectors/beam.h"
 #include "server/effectors/self_collision.h"
 #include "server/game/keepaway/config.h"
@@ -20,6 +21,14 @@ struct NetworkConfig {
     int server_port = 3200;
     int http_port = -1;
     std::string trainers = "all";
+    // What one peer of the agent or the trainer port may cost; beyond it, it is disconnected.
+    int max_connections = 64;
+    int max_frame = 65536;
+    int max_cycle_bytes = 262144;
+    int max_cycle_frames = 1000;
+    int max_unread = 262144;
+    int max_unsent = 1048576;
+    double handshake = 30.0;
 
     void describe(config::Fields& f) {
         f.text("listen", listen, {}, "address of all ports");
@@ -29,6 +38,33 @@ struct NetworkConfig {
         f.text("trainers", trainers, {"all", "loopback", "off"},
                "who may command at the server port: all peers, those of this machine, nobody; "
                "anybody may watch");
+        f.integer("max_connections", max_connections, {1, 1000}, "",
+                  "open at a time at each port; further ones are refused");
+        f.integer("max_frame", max_frame, {1024, 1048576}, "bytes", "that one frame may have");
+        f.integer("max_cycle_bytes", max_cycle_bytes, {1024, 67108864}, "bytes",
+                  "that one peer may send in a cycle");
+        f.integer("max_cycle_frames", max_cycle_frames, {1, 1000000}, "",
+                  "frames that one peer may send in a cycle");
+        f.integer("max_unread", max_unread, {1024, 67108864}, "bytes",
+                  "of one peer that wait for their cycle; beyond it TCP holds the peer back");
+        f.integer("max_unsent", max_unsent, {0, 1073741824}, "bytes",
+                  "of frames dropped in a row because an agent reads nothing; 0 = for ever. A "
+                  "trainer need never read");
+        f.number("handshake", handshake, {0.1, 86400.0}, "s",
+                 "wall time in which a connected agent must have taken a seat");
+    }
+
+    net::Limits agent_limits() const {
+        return {static_cast<std::size_t>(max_connections), static_cast<std::size_t>(max_frame),
+                static_cast<std::size_t>(max_cycle_bytes),
+                static_cast<std::size_t>(max_cycle_frames), static_cast<std::size_t>(max_unsent),
+                static_cast<std::size_t>(max_unread)};
+    }
+    /// Trainers write and need not read (reference 1.8).
+    net::Limits trainer_limits() const {
+        net::Limits limits = agent_limits();
+        limits.unsent = 0;
+        return limits;
     }
 };
 

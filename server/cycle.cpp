@@ -37,15 +37,17 @@ void Simulation::read_commands() {
     if (pacer_.waits_for_agents() &&
         !pacer_.wait_for_agents(loop_, [this] { return everybody_synced(); })) {
         for (const auto& agent : agents_) {
-            if (agent->player && !agent->synced) lose(*agent, "hung");
+            if (agent->waited_for() && !agent->synced) lose(*agent, "hung");
         }
         if (serves_monitors()) monitors_.close_hung();
     }
     drop_closed_agents();
     for (const auto& agent : agents_) {
-        agent->read_frames();
+        agent->read_frames(notices_);
         act(*agent);
     }
+    agent_listener_.begin_cycle();
+    monitor_listener_.begin_cycle();
 }
 
 void Simulation::send_percepts() {

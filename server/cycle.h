@@ -9,6 +9,7 @@
 
 #include "common/clock/clock.h"
 #include "common/episode/result.h"
+#include "common/log/limiter.h"
 #include "common/net/net.h"
 #include "server/body/scene.h"
 #include "server/config.h"
@@ -64,6 +65,8 @@ class Simulation {
     bool serves_monitors() const;
 
     // Agents and seats (agents.cpp).
+    void accept_agent(std::unique_ptr<net::Connection> accepted);
+    void say_left(const session::AgentSession& agent, const std::string& why);
     bool everybody_synced();
     void drop_closed_agents();
     void lose(session::AgentSession& agent, const std::string& why);
@@ -86,6 +89,7 @@ class Simulation {
     Config config_;
     Files files_;
     net::Loop loop_;
+    log::Limiter notices_;  ///< what strangers do
     session::Pacer pacer_;
     std::vector<std::unique_ptr<session::AgentSession>> agents_;  ///< by (team, number) once seated
     session::Teams teams_;
@@ -107,6 +111,7 @@ class Simulation {
     int cycles_since_over_ = 0;
     bool lobby_ = false;
     net::Clock::time_point lobby_since_;
+    net::Clock::time_point lobby_cycle_;  ///< when input last began to count anew there
     bool end_ = false;
     Outcome outcome_ = Outcome::Done;
 };

@@ -38,17 +38,24 @@ Simulation::Simulation(const Config& config, const Files& files)
                  ? std::nullopt
                  : std::optional(session::TypeQuotas{})),
       monitors_(pacer_.waits_for_agents()),
-      agent_listener_(loop_, config.network.listen, port(config.network.agent_port),
-                      [this](std::unique_ptr<net::Connection> accepted) {
-                          agents_.push_back(
-                              std::make_unique<session::AgentSession>(std::move(accepted)));
-                      }),
-      monitor_listener_(loop_, config.network.listen, port(config.network.server_port),
-                        [this](std::unique_ptr<net::Connection> accepted) {
-                            const bool commands = session::may_command(config_.network.trainers,
-                                                                       accepted->peer());
-                            monitors_.accept(std::move(accepted), next_connection_++, commands);
-                        }),
+      agent_listener_(
+          loop_, config.network.listen, port(config.network.agent_port),
+          [this](std::unique_ptr<net::Connection> accepted) { accept_agent(std::move(accepted)); },
+          config.network.agent_limits(),
+          [this](const std::string& peer, const std::string& why) {
+              notices_.say(spdlog::level::warn, "agent at {} refused: {}", peer, why);
+          }),
+      monitor_listener_(
+          loop_, config.network.listen, port(config.network.server_port),
+          [this](std::unique_ptr<net::Connection> accepted) {
+              const bool commands =
+                  session::may_command(config_.network.trainers, accepted->peer());
+              monitors_.accept(std::move(accepted), next_connection_++, commands);
+          },
+          config.network.trainer_limits(),
+          [this](const std::string& peer, const std::string& why) {
+              notices_.say(spdlog::level::warn, "monitor at {} refused: {}", peer, why);
+          }),
       scene_(std::make_unique<body::Scene>()),
       game_(game::Soccer(config.soccer)),
       lobby_(is_keepaway(config)),
@@ -82,16 +89,22 @@ Outcome Simulation::run(const volatile int& stop) {
 
 void Simulation::lobby_cycle() {
     loop_.wait(net::Clock::now() + kLobbyPoll, [this] {
-        return std::any_of(agents_.begin(), agents_.end(), [](const auto& agent) {
-            agent->read_frames();
-            return agent->frames > 0 && agent->percepts_sent < kLobbyPercepts;
+        return std::any_of(agents_.begin(), agents_.end(), [this](const auto& agent) {
+            agent->read_frames(notices_);
+            const bool robot = agent->type || agent->commands.scene;
+            return robot && agent->frames > 0 && agent->percepts_sent < kLobbyPercepts;
         });
     });
     drop_closed_agents();
+    if (net::Clock::now() >= lobby_cycle_) {
+        lobby_cycle_ = net::Clock::now() + kLobbyPoll;
+        agent_listener_.begin_cycle();
+        monitor_listener_.begin_cycle();
+    }
     obey_trainers_in_lobby();
     static const game::GameState kWaiting;
     for (const auto& agent : agents_) {
-        agent->read_frames();
+        agent->read_frames(notices_);
         const bool asked = agent->frames > 0;
         act(*agent);
         carry_out_stored_commands();

@@ -2,7 +2,6 @@
 #include <poll.h>
 
 #include <algorithm>
-#include <array>
 #include <cerrno>
 #include <cstring>
 
@@ -129,13 +128,14 @@ struct Client::Impl {
     /// False at the stream's orderly end.
     bool read_some() {
         error_code fault;
-        const std::size_t count = socket.read_some(asio::buffer(bytes), fault);
+        const std::span<char> room = reader.space();
+        const std::size_t count = socket.read_some(asio::buffer(room.data(), room.size()), fault);
         if (fault == asio::error::eof) {
             if (reader.buffered() > 0) fail("connection closed in the middle of a frame");
             return false;
         }
         if (fault && fault != asio::error::would_block) fail(fault.message());
-        reader.append({bytes.data(), count});
+        reader.received(count);
         return true;
     }
 
@@ -144,7 +144,6 @@ struct Client::Impl {
     std::string place;
     wire::FrameReader reader;
     std::string out;
-    std::array<char, 64 * 1024> bytes;
 };
 
 Client::Client(const std::string& host, std::uint16_t port, milliseconds patience)

@@ -10,8 +10,12 @@ using boost::system::error_code;
 
 /// Handlers hold it, so it outlives the Listener until the last has run.
 struct Listener::Impl : std::enable_shared_from_this<Listener::Impl> {
-    Impl(asio::io_context& io, OnAccept on_accept)
-        : acceptor(io), pause(io), on_accept_(std::move(on_accept)) {}
+    Impl(asio::io_context& io, OnAccept on_accept, const Limits& limits, OnRefuse on_refuse)
+        : acceptor(io),
+          pause(io),
+          shared(std::make_shared<Shared>(Shared{limits})),
+          on_accept_(std::move(on_accept)),
+          on_refuse_(std::move(on_refuse)) {}
 
     void open(const std::string& address, std::uint16_t port) {
         const std::string place = address + ":" + std::to_string(port);
@@ -30,9 +34,21 @@ struct Listener::Impl : std::enable_shared_from_this<Listener::Impl> {
         acceptor.async_accept([self = shared_from_this()](error_code fault, tcp::socket socket) {
             if (!self->acceptor.is_open()) return;
             if (fault) return self->accept_later();
-            self->on_accept_(make_connection(std::move(socket)));
+            self->take(std::move(socket));
             if (self->acceptor.is_open()) self->accept();
         });
+    }
+
+    void take(tcp::socket socket) {
+        const Limits& limits = shared->limits;
+        if (shared->open < limits.connections) {
+            return on_accept_(make_connection(std::move(socket), shared));
+        }
+        if (!on_refuse_) return;
+        error_code ignored;
+        on_refuse_(text_of(socket.remote_endpoint(ignored)),
+                   std::to_string(shared->open) + " connections open, limit " +
+                       std::to_string(limits.connections));
     }
 
     /// Out of file descriptors, mostly: trying again at once would only burn the processor.
@@ -51,13 +67,17 @@ struct Listener::Impl : std::enable_shared_from_this<Listener::Impl> {
 
     tcp::acceptor acceptor;
     asio::steady_timer pause;
+    std::shared_ptr<Shared> shared;
 
   private:
     OnAccept on_accept_;
+    OnRefuse on_refuse_;
 };
 
-Listener::Listener(Loop& loop, const std::string& address, std::uint16_t port, OnAccept on_accept)
-    : impl_(std::make_shared<Impl>(loop.impl().io, std::move(on_accept))) {
+Listener::Listener(Loop& loop, const std::string& address, std::uint16_t port, OnAccept on_accept,
+                   const Limits& limits, OnRefuse on_refuse)
+    : impl_(std::make_shared<Impl>(loop.impl().io, std::move(on_accept), limits,
+                                   std::move(on_refuse))) {
     impl_->open(address, port);
     impl_->accept();
 }
@@ -68,6 +88,10 @@ Listener::~Listener() {
 
 std::uint16_t Listener::port() const {
     return impl_->acceptor.local_endpoint().port();
+}
+
+void Listener::begin_cycle() {
+    ++impl_->shared->cycle;
 }
 
 }  // namespace k3d::net

@@ -6,9 +6,17 @@ namespace k3d::net {
 Loop::Loop() : impl_(std::make_unique<Impl>()) {}
 Loop::~Loop() = default;
 
+namespace {
+
+/// Handlers run in one go; a round over some hundred busy sockets.
+constexpr int kBatch = 500;
+
+}  // namespace
+
 void Loop::poll() {
     impl_->io.restart();
-    impl_->io.poll();
+    for (int i = 0; i < kBatch && impl_->io.poll_one() > 0; ++i) {
+    }
 }
 
 bool Loop::wait(Clock::time_point deadline, const std::function<bool()>& done) {
@@ -19,7 +27,7 @@ bool Loop::wait(Clock::time_point deadline, const std::function<bool()>& done) {
         if (Clock::now() >= deadline) return false;
         impl_->io.restart();
         impl_->io.run_one_until(deadline);
-        impl_->io.poll();
+        poll();
     }
     return true;
 }

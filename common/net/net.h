@@ -20,6 +20,20 @@ class NetError : public std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
+/// What one peer of a listener may cost. A peer that goes beyond a limit loses its connection, and
+/// the reason names limit and value; nobody else notices. A cycle lasts from one call of
+/// Listener::begin_cycle() to the next; without any there is no limit on a cycle's input.
+struct Limits {
+    std::size_t connections = 64;      ///< not spent at a time; further ones are refused
+    std::size_t frame = 64 * 1024;     ///< bytes a frame may announce
+    std::size_t cycle_bytes = 256 * 1024;
+    std::size_t cycle_frames = 1000;
+    /// Bytes of frames dropped in a row because the peer reads nothing; 0: it may drop for ever.
+    std::size_t unsent = 0;
+    /// Bytes that wait for next_frame(). Beyond it nothing is read: TCP holds the peer back.
+    std::size_t unread = 256 * 1024;
+};
+
 /// The event loop. Everything happens inside poll() and wait(); no threads.
 class Loop {
   public:
@@ -28,7 +42,8 @@ class Loop {
     Loop(const Loop&) = delete;
     Loop& operator=(const Loop&) = delete;
 
-    void poll();                                                ///< run what is ready now
+    /// Runs what is ready now, but not for ever: peers may send faster than we read.
+    void poll();
     /// Runs handlers until `done()` holds (true) or the deadline passes (false).
     bool wait(Clock::time_point deadline, const std::function<bool()>& done);
 
@@ -39,12 +54,10 @@ class Loop {
     std::unique_ptr<Impl> impl_;
 };
 
-/// One framed TCP connection. Reading goes on in the background of the loop up to
-/// kMaxBufferedIn bytes, then waits for the owner (back-pressure on the peer).
+/// One framed TCP connection. Reading goes on in the background of the loop up to Limits::unread
+/// bytes, then waits for the owner (back-pressure on the peer).
 class Connection {
   public:
-    static constexpr std::size_t kMaxBufferedIn = 256 * 1024;
-
     virtual ~Connection() = default;
 
     /// Oldest whole frame not yet taken; the view is valid until the next call on this connection
@@ -52,12 +65,14 @@ class Connection {
     virtual bool next_frame(std::string_view& payload) = 0;
     /// Takes prefix and payload to the kernel in one write. If an earlier frame's tail is still
     /// unsent, this frame is dropped whole, so framing never breaks and nothing blocks
-    /// (reference 1.8). Returns false if dropped.
+    /// (reference 1.8), and counts towards Limits::unsent. Returns false if dropped.
     virtual bool send(std::string_view payload) = 0;
     /// True if the connection is open and nothing of an earlier frame is unsent: whoever composes
     /// frames for watchers need not compose one that send() would drop.
     virtual bool ready() = 0;
     virtual bool closed() const = 0;                  ///< by the peer, by an error or by close()
+    virtual bool spent() const = 0;  ///< closed, and next_frame() has nothing left
+    virtual bool broke_limit() const = 0;  ///< why it was closed
     virtual const std::string& close_reason() const = 0;  ///< "peer closed", "frame of 4294967295 bytes announced, limit 65536", ...
     virtual const std::string& peer() const = 0;      ///< "127.0.0.1:51234"
     virtual void close(std::string_view reason) = 0;
@@ -67,10 +82,16 @@ class Connection {
 class Listener {
   public:
     using OnAccept = std::function<void(std::unique_ptr<Connection>)>;
+    /// Peer and reason of a connection that was closed at once.
+    using OnRefuse = std::function<void(const std::string& peer, const std::string& why)>;
+
     /// Port 0 takes any free one. Throws NetError, e.g. "cannot listen on 127.0.0.1:3100: Address already in use".
-    Listener(Loop& loop, const std::string& address, std::uint16_t port, OnAccept on_accept);
+    Listener(Loop& loop, const std::string& address, std::uint16_t port, OnAccept on_accept,
+             const Limits& limits = {}, OnRefuse on_refuse = {});
     ~Listener();
     std::uint16_t port() const;
+    /// From here on every connection's input counts anew.
+    void begin_cycle();
 
   private:
     struct Impl;

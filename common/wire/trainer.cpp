@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "common/wire/trainer.h"
 
+#include <algorithm>
 #include <array>
 
 #include "common/sexpr/reader.h"
@@ -41,10 +42,21 @@ std::optional<std::array<double, count>> numbers(const Node& list) {
     return values;
 }
 
+/// Beyond this, in m or m/s, nothing of a match can be meant, and physics would break.
+constexpr double kMaxCoordinate = 1000.0;
+constexpr double kMaxTime = 1e6;  // s
+constexpr int kMaxScore = 9999;
+
+std::optional<Vec3> vector_of(double x, double y, double z) {
+    const Vec3 v(x, y, z);
+    if (v.cwiseAbs().maxCoeff() > kMaxCoordinate) return std::nullopt;
+    return v;
+}
+
 std::optional<Vec3> vector(const Node& list) {
     const auto v = numbers<3>(list);
     if (!v) return std::nullopt;
-    return Vec3((*v)[0], (*v)[1], (*v)[2]);
+    return vector_of((*v)[0], (*v)[1], (*v)[2]);
 }
 
 std::optional<int> integer_in(const Node& list, std::string_view tag) {
@@ -94,7 +106,7 @@ Decoded decode_agent(const Node& list) {
         command.position = vector(*pos);
     } else if (const auto move = list.find("move")) {
         if (const auto v = numbers<4>(*move)) {
-            command.position = Vec3((*v)[0], (*v)[1], (*v)[2]);
+            command.position = vector_of((*v)[0], (*v)[1], (*v)[2]);
             command.yaw_deg = (*v)[3];
         }
     } else if (decode_legacy(list)) {
@@ -127,7 +139,9 @@ Decoded decode_select(const Node& list) {
 Decoded decode_score(const Node& list) {
     const auto left = integer_in(list, "left");
     const auto right = integer_in(list, "right");
-    if (!left || !right || *left < 0 || *right < 0) return std::nullopt;
+    if (!left || !right || std::min(*left, *right) < 0 || std::max(*left, *right) > kMaxScore) {
+        return std::nullopt;
+    }
     return ScoreCommand{*left, *right};
 }
 
@@ -144,7 +158,7 @@ Decoded decode_kick_off(const Node& list) {
 
 Decoded decode_time(const Node& list) {
     const auto time = numbers<1>(list);
-    if (!time || (*time)[0] < 0.0) return std::nullopt;
+    if (!time || (*time)[0] < 0.0 || (*time)[0] > kMaxTime) return std::nullopt;
     return TimeCommand{(*time)[0]};
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Trainer commands on the monitor port (SimSpark reference 8.5), with both codecs.
-// Coordinates are absolute field coordinates for both teams.
+// Coordinates are absolute field coordinates for both teams, none beyond 1000 (m, m/s).
 #pragma once
 
 #include <optional>
@@ -28,8 +28,8 @@ struct ClearSelectedCommand {};
 struct PlayModeCommand { std::string mode; };          ///< `(playMode PlayOn)`
 struct KickOffCommand { Side side = Side::None; };     ///< `(kickOff Left|Right|None)`
 struct DropBallCommand {};                             ///< `(dropBall)`
-struct TimeCommand { double time = 0.0; };             ///< `(time T)`, T >= 0
-struct ScoreCommand { int left = 0, right = 0; };      ///< `(score (left N)(right M))`
+struct TimeCommand { double time = 0.0; };             ///< `(time T)`, T in 0..1e6
+struct ScoreCommand { int left = 0, right = 0; };      ///< `(score (left N)(right M))`, 0..9999
 struct KillCommand {   ///< `(kill (unum N)(team Left))`, `(kill)`: the selected player
     int unum = 0;
     Side team = Side::None;

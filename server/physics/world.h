@@ -56,7 +56,7 @@ struct Contact {
     Vec3 force_on_a;  ///< N, from the solver
 };
 
-/// The step produced or met numbers that are not finite; the episode is void.
+/// The step produced or met numbers that are not finite or beyond any match; the episode is void.
 class Diverged : public std::runtime_error {
     using std::runtime_error::runtime_error;
 };

@@ -7,12 +7,24 @@
 
 namespace k3d::server::session {
 
+namespace {
+
+/// An agent with fewer percepts than this counts as synced (reference 2.3): it is still starting.
+constexpr int kGracePercepts = 5;
+
+}  // namespace
+
 std::string AgentSession::name() const {
     if (!seat) return "agent at " + connection->peer();
     return std::string(body::side_name(seat->team)) + "." + std::to_string(seat->unum);
 }
 
-void AgentSession::read_frames() {
+bool AgentSession::waited_for() const {
+    // Who has no seat is waited for no longer than by its handshake's deadline: not at all.
+    return seat && player && !connection->closed() && percepts_sent >= kGracePercepts;
+}
+
+void AgentSession::read_frames(log::Limiter& notices) {
     std::string_view frame;
     while (connection->next_frame(frame)) {
         ++frames;
@@ -20,8 +32,8 @@ void AgentSession::read_frames() {
         if (bad > 0) {
             // Once per connection at warning level: a foreign agent may send extras every cycle.
             const auto level = damaged == 0 ? spdlog::level::warn : spdlog::level::debug;
-            spdlog::log(level, "{}: {} unknown or damaged expressions ignored in \"{}\"", name(),
-                        bad, frame.substr(0, 120));
+            notices.say(level, "{}: {} unknown or damaged expressions ignored in \"{}\"", name(),
+                        bad, log::printable(frame));
             damaged += bad;
         }
     }

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "common/log/limiter.h"
 #include "common/net/net.h"
 #include "common/wire/commands.h"
 #include "common/wire/percepts.h"
@@ -27,6 +28,7 @@ struct AgentSession {
         : connection(std::move(accepted)) {}
 
     std::unique_ptr<net::Connection> connection;
+    net::Clock::time_point since = net::Clock::now();  ///< connected
     wire::Commands commands;          ///< of this cycle; scene and init stay until carried out
     std::optional<int> type;          ///< robot type, once `scene` was read
     std::string team_name;            ///< once `init` was read
@@ -50,7 +52,9 @@ struct AgentSession {
     /// "left.3", or the peer's address while it has no seat.
     std::string name() const;
     /// Reads every whole frame that has arrived into `commands`.
-    void read_frames();
+    void read_frames(log::Limiter& notices);
+    /// Whether sync and fast pace wait for its (syn): it plays, and is past its first percepts.
+    bool waited_for() const;
     /// Sends the percepts generated last, if there are any and the connection is open.
     void send_percepts();
     /// Game state and hearing, which belong to the session rather than to the robot.

@@ -30,7 +30,8 @@ Monitors::Monitors(bool barrier, std::function<void(int)> on_left)
     : barrier_(barrier), on_left_(std::move(on_left)) {}
 
 void Monitors::accept(std::unique_ptr<net::Connection> connection, int id, bool commands) {
-    spdlog::info("monitor at {} connected", connection->peer());
+    drop_left();  // strangers may come and go by the thousand while a cycle waits
+    notices_.say(spdlog::level::info, "monitor at {} connected", connection->peer());
     Monitor& monitor = monitors_.emplace_back();
     monitor.id = id;
     monitor.connection = std::move(connection);
@@ -52,8 +53,9 @@ bool Monitors::read() {
 void Monitors::take_frame(Monitor& monitor, std::string_view frame) {
     scratch_.clear();
     if (const int bad = wire::decode(frame, scratch_); bad > 0) {
-        spdlog::warn("trainer at {}: {} unknown or damaged expressions ignored in \"{}\"",
-                     monitor.connection->peer(), bad, frame.substr(0, 120));
+        notices_.say(spdlog::level::warn,
+                     "trainer at {}: {} unknown or damaged expressions ignored in \"{}\"",
+                     monitor.connection->peer(), bad, log::printable(frame));
     }
     for (wire::TrainerCommand& command : scratch_) {
         if (std::holds_alternative<wire::FullStateCommand>(command)) {
@@ -62,8 +64,8 @@ void Monitors::take_frame(Monitor& monitor, std::string_view frame) {
             continue;
         } else if (!monitor.commands) {
             if (!monitor.refused) {
-                spdlog::warn("monitor at {} may not command: \"{}\" ignored",
-                             monitor.connection->peer(), frame.substr(0, 120));
+                notices_.say(spdlog::level::warn, "monitor at {} may not command: \"{}\" ignored",
+                             monitor.connection->peer(), log::printable(frame));
             }
             monitor.refused = true;
         } else if (std::holds_alternative<wire::TrainerSynCommand>(command)) {
@@ -81,10 +83,12 @@ void Monitors::take_frame(Monitor& monitor, std::string_view frame) {
 void Monitors::drop_left() {
     std::erase_if(monitors_, [this](const Monitor& monitor) {
         // Frames of later turns may still be unread.
-        const bool left = monitor.connection->closed() && !monitor.synced && monitor.pending.empty();
+        const bool left = monitor.connection->spent() && !monitor.synced && monitor.pending.empty();
         if (left) {
-            spdlog::info("monitor at {} left: {}", monitor.connection->peer(),
-                         monitor.connection->close_reason());
+            notices_.say(
+                monitor.connection->broke_limit() ? spdlog::level::warn : spdlog::level::info,
+                "monitor at {} left: {}", monitor.connection->peer(),
+                monitor.connection->close_reason());
             if (on_left_) on_left_(monitor.id);
         }
         return left;

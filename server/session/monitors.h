@@ -17,6 +17,7 @@
 #include <string_view>
 #include <vector>
 
+#include "common/log/limiter.h"
 #include "common/net/net.h"
 #include "common/wire/trainer.h"
 
@@ -69,6 +70,7 @@ class Monitors {
     void take_frame(Monitor& monitor, std::string_view frame);
     void drop_left();
 
+    log::Limiter notices_;
     bool barrier_;
     std::function<void(int)> on_left_;
     std::vector<Monitor> monitors_;

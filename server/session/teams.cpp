@@ -5,10 +5,17 @@
 
 #include <algorithm>
 
+#include "common/log/limiter.h"
+
 namespace k3d::server::session {
 
 namespace {
 constexpr int kMaxUnum = 11;
+
+bool is_name(std::string_view text) {
+    return !text.empty() && text.size() <= kMaxTeamName &&
+           std::all_of(text.begin(), text.end(), [](char c) { return c > ' ' && c <= '~'; });
+}
 
 std::size_t slot_of(wire::Side side) { return side == wire::Side::Left ? 0 : 1; }
 }  // namespace
@@ -33,13 +40,9 @@ tl::expected<Seat, std::string> Teams::assign(const wire::InitCommand& init, int
 }
 
 tl::expected<std::size_t, std::string> Teams::slot_for(const std::string& team) const {
-    if (team.empty()) return tl::unexpected(std::string("no team name"));
-    if (team.size() > kMaxTeamName) {
-        return tl::unexpected(fmt::format("team name '{}...' is longer than {} bytes",
-                                          team.substr(0, kMaxTeamName), kMaxTeamName));
-    }
-    if (!std::all_of(team.begin(), team.end(), [](char c) { return c > 0x20 && c < 0x7F; })) {
-        return tl::unexpected(fmt::format("team name '{}' is not printable ASCII", team));
+    if (!is_name(team)) {
+        return tl::unexpected(fmt::format("team name '{}' is not 1 to {} bytes of visible ASCII",
+                                          log::printable(team), kMaxTeamName));
     }
     for (const std::size_t slot : {0, 1}) {
         if (team == names_[slot]) return slot;

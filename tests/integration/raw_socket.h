@@ -8,6 +8,7 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <chrono>
 #include <stdexcept>
 #include <string>
@@ -22,6 +23,7 @@ class RawSocket {
         address.sin_port = htons(port);
         address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
         if (::connect(fd_, reinterpret_cast<sockaddr*>(&address), sizeof(address)) != 0) {
+            ::close(fd_);
             throw std::runtime_error("cannot connect to port " + std::to_string(port));
         }
     }
@@ -33,6 +35,15 @@ class RawSocket {
     void write(const std::string& bytes) {
         [[maybe_unused]] const auto sent = ::send(fd_, bytes.data(), bytes.size(), MSG_NOSIGNAL);
     }
+
+    /// As much of it as goes without waiting; false once the peer has closed.
+    bool pour(const std::string& bytes) {
+        return ::send(fd_, bytes.data(), bytes.size(), MSG_NOSIGNAL | MSG_DONTWAIT) >= 0 ||
+               errno == EAGAIN;
+    }
+
+    /// No more will come, but it stays open for reading.
+    void end_writing() { ::shutdown(fd_, SHUT_WR); }
 
     /// True once the peer has closed; data that comes before is read and dropped.
     bool closed_by_peer(std::chrono::milliseconds patience) {

@@ -55,6 +55,33 @@ TEST(FrameReader, LengthBeyondTheLimitIsFinal) {
     EXPECT_LT(refused.buffered(), 100U) << "nothing more is kept of a broken stream";
 }
 
+TEST(FrameReader, KeepsItsMemoryAndTakesNoneForAnnouncements) {
+    FrameReader reader;
+    std::string bytes;
+    append_frame(std::string(1000, 'x'), bytes);
+    const auto take = [&](std::string_view part) {
+        const std::span<char> room = reader.space();
+        EXPECT_GE(room.size(), FrameReader::kReadBytes);
+        EXPECT_LE(room.size(), 2 * FrameReader::kReadBytes);
+        std::copy(part.begin(), part.end(), room.begin());
+        reader.received(part.size());
+        return room.data();
+    };
+    const char* const memory = take(bytes);
+    std::string_view payload;
+    for (int i = 0; i < 100; ++i) {
+        ASSERT_EQ(reader.next(payload), FrameReader::Status::Frame);
+        EXPECT_FALSE(reader.holds_frame());
+        EXPECT_EQ(take(bytes), memory);
+        EXPECT_TRUE(reader.holds_frame());
+    }
+    ASSERT_EQ(reader.next(payload), FrameReader::Status::Frame);
+    take(std::string_view("\0\1\0\0", 4));  // 64 KiB announced
+    EXPECT_FALSE(reader.holds_frame());
+    EXPECT_EQ(reader.next(payload), FrameReader::Status::NeedMore);
+    for (int i = 0; i < 8; ++i) take("x");
+}
+
 TEST(FrameReader, LimitCanBeChosen) {
     FrameReader reader(10);
     std::string bytes;

@@ -75,6 +75,13 @@ TEST(TrainerDecode, UnknownAndDamagedAreCountedAndTheRestStands) {
                              "(kickOff)",
                              "(kickOff Both)",
                              "(time -1)",
+                             "(time 1e7)",
+                             "(ball (pos 1e300 0 0))",
+                             "(ball (vel 0 0 -1001))",
+                             "(ball (pos nan 0 0))",
+                             "(agent (unum 1)(team Left)(pos 0 inf 0))",
+                             "(agent (unum 1)(team Left)(move 0 0 1e4 0))",
+                             "(score (left 10000)(right 0))",
                              "(time)",
                              "(time x)",
                              "(score (left 1))",
@@ -96,7 +103,8 @@ RC_GTEST_PROP(Trainer, RoundTrip, ()) {
     const auto exact = [] {
         return *rc::gen::suchThat<double>([](double v) { return std::isfinite(v); });
     };
-    const auto vector = [&] { return Vec3(exact(), exact(), exact()); };
+    const auto within = [&](double bound) { return std::fmod(exact(), bound); };
+    const auto vector = [&] { return Vec3(within(1e3), within(1e3), within(1e3)); };
     AgentCommand agent{unum(), side(), vector(), std::nullopt};
     if (*rc::gen::arbitrary<bool>()) agent.yaw_deg = exact();
     const std::vector<TrainerCommand> sent{BallCommand{vector(), std::nullopt},
@@ -105,8 +113,8 @@ RC_GTEST_PROP(Trainer, RoundTrip, ()) {
                                            agent,
                                            PlayModeCommand{*word()},
                                            KickOffCommand{side()},
-                                           TimeCommand{std::abs(exact())},
-                                           ScoreCommand{*rc::gen::nonNegative<int>(), 0},
+                                           TimeCommand{std::abs(within(1e6))},
+                                           ScoreCommand{*rc::gen::inRange(0, 10000), 0},
                                            KillCommand{unum(), side()},
                                            ReposCommand{unum(), side()},
                                            SelectCommand{unum(), side()}};

@@ -98,6 +98,34 @@ TEST(World, RefusesNumbersThatAreNotFinite) {
         physics::Diverged);
 }
 
+TEST(World, RefusesSpeedsThatNoMatchKnows) {
+    body::Scene scene;
+    scene.ball.set_velocity({2e5, 0, 0});
+    EXPECT_THROW(
+        {
+            for (int i = 0; i < 10; ++i) scene.world.step();
+        },
+        physics::Diverged);
+}
+
+TEST(World, TakesOrRefusesEveryPlaceATrainerCanName) {
+    for (const double height : {-1000.0, -1.0, 0.0, 1000.0}) {
+        for (const double aside : {0.0, 15.0, 1000.0}) {
+            body::Scene scene;
+            body::Player& player = scene.add_player(0, {aside, 0, 0.4});
+            player.robot->move({aside, aside, height});
+            scene.ball.move({aside, aside, height});
+            scene.ball.set_velocity({0, 1000, -1000});
+            try {
+                for (int i = 0; i < 50; ++i) scene.world.step();
+                EXPECT_TRUE(player.robot->torso_position().allFinite());
+            } catch (const physics::Diverged&) {
+                SUCCEED() << "a clear end, too";
+            }
+        }
+    }
+}
+
 TEST(World, HashTellsStatesApart) {
     body::Scene one;
     body::Scene same;

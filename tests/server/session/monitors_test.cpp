@@ -39,6 +39,8 @@ class FakeConnection final : public net::Connection {
     }
     bool ready() override { return !peer_.closed && peer_.reads; }
     bool closed() const override { return peer_.closed; }
+    bool spent() const override { return closed(); }
+    bool broke_limit() const override { return false; }
     const std::string& close_reason() const override { return peer_.why; }
     const std::string& peer() const override { return name_; }
     void close(std::string_view reason) override {

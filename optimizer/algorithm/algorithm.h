@@ -16,33 +16,21 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <variant>
 #include <vector>
 
 #include "common/network/network.h"
+#include "optimizer/algorithm/error.h"
+#include "optimizer/algorithm/score.h"
 #include "optimizer/algorithm/seeds.h"
 #include "optimizer/spec/algorithm_spec.h"
 
 namespace k3d::optimizer::algorithm {
 
-/// A setting, a result or a saved state that cannot be; the text holds the value and its place.
-class AlgorithmError : public std::invalid_argument {
-    using std::invalid_argument::invalid_argument;
-};
-
 /// Parameter values in the order and units of the problem, or a network as the agent loads it.
 using Payload = std::variant<std::vector<double>, network::Definition>;
-
-/// Fitness of one candidate over its episodes of one pool.
-struct Score {
-    double mean = 0.0;  ///< finite; larger is better
-    double se = 0.0;    ///< standard error of the mean, >= 0; 0 if there is no noise or n is 1
-    int n = 0;          ///< episodes in it, >= 1
-    bool operator==(const Score&) const = default;
-};
 
 /// Episodes that are wanted: those with index 0 .. episodes - 1 of this candidate in this pool.
 /// A later request may name the same candidate and pool with more episodes; those played before

@@ -28,8 +28,8 @@ struct Parameter {
 /// A vector of numbers is sought, by cmaes, cross_entropy or random_search.
 using VectorProblem = std::vector<Parameter>;
 
-/// A network is sought, by neat. Its inputs, outputs and activations are those of `start`; whether its
-/// links and weights matter is NeatSpec::start's choice.
+/// A network is sought. neat: inputs, outputs and activations are those of `start`; whether its links'
+/// weights matter is NeatSpec::start's choice. The others search weights and biases of `start` as it is.
 struct NetworkProblem {
     network::Definition start;
     bool operator==(const NetworkProblem&) const = default;
@@ -43,6 +43,7 @@ struct SamplingSpec {
     int validation_episodes = 0;  ///< per finalist, on validation seeds; 0: fitness has no noise
     int validate_every = 1;       ///< generations from one validation to the next
     int finalists = 4;            ///< best candidates of a generation that are validated
+    int halving_episodes = 0;     ///< further training episodes shared out by sequential halving
     void describe(config::Fields& f);
 };
 
@@ -53,8 +54,9 @@ struct CmaesSpec {
     bool active = true;             ///< negative weights for the worse half
     std::string restarts = "none";  ///< none, ipop or bipop
     int max_restarts = 9;
-    std::string noise = "none";     ///< none, reevaluate: more episodes while ranks are uncertain
-    int max_episodes = 100;         ///< of one candidate, when `noise` asks for more
+    std::string noise = "none";     ///< none, or reevaluate: more episodes while noise hides ranks
+    int max_episodes = 100;         ///< of one candidate in one generation, when `noise` is reevaluate
+    double reliability = 0.5;       ///< share of the spread of fitness that must not be noise
     double tolerance_x = 1e-12;     ///< stop when steps are this small, in first deviations
     double tolerance_fitness = 1e-12;  ///< stop when fitness hardly changed for long
     void describe(config::Fields& f);
@@ -75,12 +77,23 @@ struct RandomSearchSpec {
     void describe(config::Fields& f);
 };
 
-/// Stanley & Miikkulainen, Evolutionary Computation 10(2), 2002. A profile sets all other fields.
+/// Stanley & Miikkulainen, Evolutionary Computation 10(2), 2002. The profile sets everything that
+/// the fields below leave at their defaults.
 struct NeatSpec {
     std::string profile = "modern";  ///< keepaway_paper, stanley2002 or modern
     std::string start = "random";    ///< random weights on the start network's links, or network: its own
+    std::string networks = "profile";  ///< feed_forward, recurrent
+    std::string activations;         ///< of new hidden nodes, e.g. "sigmoid tanh"; empty: the profile's
     int population = 0;              ///< 0: the profile's
-    int target_species = 0;          ///< 0: the profile's; > 0: the threshold follows this number
+    int target_species = -1;         ///< -1: the profile's; 0: the threshold stays; else it follows this
+    double threshold = 0.0;          ///< compatibility distance of one species; 0: the profile's
+    double weight_coefficient = -1.0;  ///< c3 of the distance; this and those below: -1: the profile's
+    double add_node = -1.0;          ///< chance per child
+    double add_link = -1.0;
+    double delete_node = -1.0;
+    double delete_link = -1.0;
+    double recurrent_link = -1.0;    ///< share of recurrent ones among new links
+    int complexity_ceiling = -1;     ///< phased search: links above the smallest mean; 0: only grow
     void describe(config::Fields& f);
 };
 
@@ -88,8 +101,9 @@ struct NeatSpec {
 struct AlgorithmSpec {
     std::string name = "cmaes";      ///< cmaes, cross_entropy, random_search or neat
     int max_generations = 1000000;   ///< the run ends after these
-    std::uint64_t max_episodes = 0;  ///< no generation begins after these; 0: no limit
-    double target = std::numeric_limits<double>::infinity();  ///< the run ends when a champion has it
+    double max_episodes = 0;         ///< no generation begins after these; 0: no limit
+    double weight_deviation = 1.0;   ///< first samples, where a vector algorithm searches weights
+    double target = 1e300;  ///< the run ends when its champion has this fitness
     SamplingSpec sampling;
     CmaesSpec cmaes;
     CrossEntropySpec cross_entropy;

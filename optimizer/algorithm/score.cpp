@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "optimizer/algorithm/score.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "common/log/log.h"
+#include "optimizer/algorithm/seeds.h"
+
+namespace k3d::optimizer::algorithm {
+namespace {
+
+/// Sum of squared deviations from the mean: se = sqrt(squares / (n (n - 1))).
+double squares_of(const Score& score) {
+    return score.se * score.se * static_cast<double>(score.n) * static_cast<double>(score.n - 1);
+}
+
+double error_of(double squares, int n) {
+    if (n < 2) return 0.0;
+    return std::sqrt(squares / (static_cast<double>(n) * static_cast<double>(n - 1)));
+}
+
+}  // namespace
+
+Score score_of(const std::vector<double>& values) {
+    K3D_ASSERT(!values.empty());
+    const int n = static_cast<int>(values.size());
+    const double mean = std::accumulate(values.begin(), values.end(), 0.0) / n;
+    double squares = 0.0;
+    for (const double value : values) squares += (value - mean) * (value - mean);
+    return {mean, error_of(squares, n), n};
+}
+
+Score pooled(const Score& a, const Score& b) {
+    K3D_ASSERT(a.n >= 1 && b.n >= 1);
+    const int n = a.n + b.n;
+    const double gap = b.mean - a.mean;
+    const double share = static_cast<double>(b.n) / n;
+    const double squares = squares_of(a) + squares_of(b) + gap * gap * share * a.n;
+    return {a.mean + gap * share, error_of(squares, n), n};
+}
+
+std::vector<std::size_t> ranking(const std::vector<Outcome>& outcomes) {
+    std::vector<std::size_t> order(outcomes.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(), [&outcomes](std::size_t a, std::size_t b) {
+        if (outcomes[a].failed != outcomes[b].failed) return outcomes[b].failed;
+        return !outcomes[a].failed && outcomes[a].score.mean > outcomes[b].score.mean;
+    });
+    return order;
+}
+
+double reliability(const std::vector<Outcome>& outcomes) {
+    std::vector<double> means;
+    double noise = 0.0;
+    for (const Outcome& outcome : outcomes) {
+        if (outcome.failed) continue;
+        means.push_back(outcome.score.mean);
+        noise += outcome.score.se * outcome.score.se;
+    }
+    if (means.size() < 2 || noise == 0.0) return 1.0;
+    noise /= static_cast<double>(means.size());
+    const Score all = score_of(means);
+    const double variance = all.se * all.se * all.n;
+    if (!(variance > noise)) return 0.0;
+    return 1.0 - noise / variance;
+}
+
+nlohmann::json save(const Score& score) {
+    return {{"mean", exact(score.mean)}, {"se", exact(score.se)}, {"n", score.n}};
+}
+
+Score read_score(const Reader& reader) {
+    const Score score{reader["mean"].finite(), reader["se"].finite(),
+                      reader["n"].integer(1, kMaxEpisodes)};
+    if (score.se < 0.0) reader["se"].fail("is below 0");
+    return score;
+}
+
+}  // namespace k3d::optimizer::algorithm

@@ -59,9 +59,6 @@ TEST(Distribution, StaysPositiveDefiniteUnderRandomRanks) {
             ASSERT_GT(d.lengths.minCoeff(), 0.0) << i;
             ASSERT_TRUE(d.covariance.allFinite()) << i;
         }
-        if (separable) continue;  // learns too fast to keep still without selection
-        EXPECT_GT(d.lengths.minCoeff(), 0.02);
-        EXPECT_LT(d.lengths.maxCoeff(), 50.0);
     }
 }
 

@@ -93,7 +93,9 @@ int Reader::integer(int low, int high) const {
 }
 
 std::uint64_t Reader::unsigned_integer() const {
-    if (!value_.is_number_unsigned()) {
+    // In a value that was built, not parsed, small numbers may be signed.
+    if (!value_.is_number_integer() ||
+        (!value_.is_number_unsigned() && value_.get<std::int64_t>() < 0)) {
         fail(fmt::format("{} is not a whole number of at least 0", shown(value_)));
     }
     return value_.get<std::uint64_t>();

@@ -10,6 +10,7 @@
 #include "server/game/keepaway/config.h"
 #include "server/game/soccer/soccer.h"
 #include "server/percepts/vision.h"
+#include "server/physics/world.h"
 
 namespace k3d::server {
 
@@ -59,6 +60,19 @@ struct PaceConfig {
     }
 };
 
+struct PhysicsConfig {
+    std::string stepper = "exact";
+
+    void describe(config::Fields& f) {
+        f.text("stepper", stepper, {"exact", "fast"},
+               "exact: dWorldStep, as the reference; fast: our solver of the same equations with "
+               "rigid hinges, in a small part of its time");
+    }
+    physics::Stepper kind() const {
+        return stepper == "fast" ? physics::Stepper::Fast : physics::Stepper::Exact;
+    }
+};
+
 struct Config {
     std::string game = "soccer";
     std::uint64_t seed = 1;
@@ -69,6 +83,7 @@ struct Config {
     NetworkConfig network;
     MonitorConfig monitor;
     PaceConfig pace;
+    PhysicsConfig physics;
     percepts::VisionConfig vision;
     effectors::BeamConfig beam;
     game::KeepawayConfig keepaway;
@@ -85,6 +100,7 @@ struct Config {
         f.section("network", network);
         f.section("monitor", monitor);
         f.section("pace", pace);
+        f.section("physics", physics);
         f.section("vision", vision);
         f.section("beam", beam);
         f.section("keepaway", keepaway);

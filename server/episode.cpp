@@ -46,7 +46,7 @@ Simulation::Simulation(const Config& config, const Files& files)
                                                                        accepted->peer());
                             monitors_.accept(std::move(accepted), next_connection_++, commands);
                         }),
-      scene_(std::make_unique<body::Scene>()),
+      scene_(std::make_unique<body::Scene>(config.physics.kind())),
       game_(game::Soccer(config.soccer)),
       lobby_(is_keepaway(config)),
       lobby_since_(net::Clock::now()) {
@@ -143,7 +143,7 @@ void Simulation::begin_episode() {
         };
         return key(*a) < key(*b);
     });
-    scene_ = std::make_unique<body::Scene>();
+    scene_ = std::make_unique<body::Scene>(config_.physics.kind());
     const std::uint64_t seed = config_.seed + static_cast<std::uint64_t>(episode_ - 1);
     for (const auto& agent : agents_) {
         if (!agent->seat) continue;

@@ -12,6 +12,7 @@
 #include "server/game/keepaway/config.h"
 #include "server/game/soccer/soccer.h"
 #include "server/percepts/vision.h"
+#include "server/physics/world.h"
 
 namespace k3d::server {
 
@@ -96,6 +97,19 @@ struct PaceConfig {
     }
 };
 
+struct PhysicsConfig {
+    std::string stepper = "exact";
+
+    void describe(config::Fields& f) {
+        f.text("stepper", stepper, {"exact", "fast"},
+               "exact: dWorldStep, as the reference; fast: our solver of the same equations with "
+               "rigid hinges, in a small part of its time");
+    }
+    physics::Stepper kind() const {
+        return stepper == "fast" ? physics::Stepper::Fast : physics::Stepper::Exact;
+    }
+};
+
 struct Config {
     std::string game = "soccer";
     std::uint64_t seed = 1;
@@ -106,6 +120,7 @@ struct Config {
     NetworkConfig network;
     MonitorConfig monitor;
     PaceConfig pace;
+    PhysicsConfig physics;
     percepts::VisionConfig vision;
     effectors::BeamConfig beam;
     effectors::SelfCollisionConfig self_collision;
@@ -123,6 +138,7 @@ struct Config {
         f.section("network", network);
         f.section("monitor", monitor);
         f.section("pace", pace);
+        f.section("physics", physics);
         f.section("vision", vision);
         f.section("beam", beam);
         f.section("self_collision", self_collision);

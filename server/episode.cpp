@@ -56,7 +56,7 @@ Simulation::Simulation(const Config& config, const Files& files)
           [this](const std::string& peer, const std::string& why) {
               notices_.say(spdlog::level::warn, "monitor at {} refused: {}", peer, why);
           }),
-      scene_(std::make_unique<body::Scene>()),
+      scene_(std::make_unique<body::Scene>(config.physics.kind())),
       game_(game::Soccer(config.soccer)),
       lobby_(is_keepaway(config)),
       lobby_since_(net::Clock::now()) {
@@ -159,7 +159,7 @@ void Simulation::begin_episode() {
         };
         return key(*a) < key(*b);
     });
-    scene_ = std::make_unique<body::Scene>();
+    scene_ = std::make_unique<body::Scene>(config_.physics.kind());
     const std::uint64_t seed = config_.seed + static_cast<std::uint64_t>(episode_ - 1);
     for (const auto& agent : agents_) {
         if (!agent->seat) continue;

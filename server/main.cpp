@@ -32,6 +32,7 @@ const std::vector<k3d::config::ShortFlag> kFlags{
     {"--http", "network.http_port", "port of the page, 0 = any (default: no page)"},
     {"--listen", "network.listen", "address to listen on (default 127.0.0.1)"},
     {"--pace", "pace.mode", "realtime, sync or fast (default realtime)"},
+    {"--stepper", "physics.stepper", "exact or fast (default exact)"},
     {"--hung-agent-s", "pace.hung_agent", "wall seconds an agent may keep others waiting"},
     {"--lobby-s", "pace.lobby", "wall seconds until all keepaway seats must be taken, 0 = ever"},
     {"--game", "game", "soccer or keepaway (default soccer)"},

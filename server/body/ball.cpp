@@ -18,15 +18,16 @@ Ball::Ball(physics::World& world)
     dMass mass;
     dMassSetSphereTotal(&mass, field::kBallMass, field::kBallRadius);
     dBodySetMass(body_, &mass);
-    const dGeomID geom = dCreateSphere(group_, field::kBallRadius);
+    const dGeomID geom = dCreateSphere(nullptr, field::kBallRadius);
     dGeomSetBody(geom, body_);
     dGeomSetData(geom, &tag_);
+    world_.add_geom(group_, geom);
     dBodySetPosition(body_, 0, 0, field::kBallRadius);
-    world_.add_body(body_, kLinearDrag, kAngularDrag);
+    world_.add_mechanism({{body_}, {}, kLinearDrag, kAngularDrag});
 }
 
 Ball::~Ball() {
-    world_.remove_body(body_);
+    world_.remove_mechanism(body_);
     world_.remove_group(group_);
     dBodyDestroy(body_);
 }

@@ -23,7 +23,7 @@ class Ball {
   private:
     physics::World& world_;
     physics::Tag tag_{&physics::kBallSurface, physics::Kind::Ball, 0, nao::Part::Torso};
-    dxSpace* group_;
+    int group_;
     dxBody* body_;
 };
 

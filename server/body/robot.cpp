@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "server/body/pose.h"
 
@@ -30,16 +31,16 @@ dMass mass_of(const nao::BodyDef& def) {
     return mass;
 }
 
-dGeomID collider_of(const nao::BodyDef& def, dSpaceID group) {
+dGeomID collider_of(const nao::BodyDef& def) {
     switch (def.shape) {
         case nao::Shape::Sphere:
-            return dCreateSphere(group, def.size.x());
+            return dCreateSphere(nullptr, def.size.x());
         case nao::Shape::Capsule:
-            return dCreateCapsule(group, def.size.x(), def.size.y());
+            return dCreateCapsule(nullptr, def.size.x(), def.size.y());
         case nao::Shape::Box:
             break;
     }
-    return dCreateBox(group, def.size.x(), def.size.y(), def.size.z());
+    return dCreateBox(nullptr, def.size.x(), def.size.y(), def.size.z());
 }
 
 }  // namespace
@@ -54,7 +55,12 @@ Robot::Robot(physics::World& world, const nao::Model& model, int owner, const Ve
                                 : positions[static_cast<std::size_t>(def.parent)] + def.offset);
         add_body(def, positions.back());
     }
-    for (const nao::JointDef& def : model.joints) add_joint(def);
+    physics::Mechanism mechanism{bodies_, {}, kDrag, kDrag};
+    for (const nao::JointDef& def : model.joints) {
+        add_joint(def);
+        mechanism.hinges.push_back(joints_[nao::index(def.id)]);
+    }
+    world_.add_mechanism(std::move(mechanism));
 }
 
 void Robot::add_body(const nao::BodyDef& def, const Vec3& position) {
@@ -63,14 +69,14 @@ void Robot::add_body(const nao::BodyDef& def, const Vec3& position) {
     dBodySetMass(body, &mass);
     dBodySetPosition(body, position.x(), position.y(), position.z());
     if (def.collides) {
-        const dGeomID geom = collider_of(def, group_);
+        const dGeomID geom = collider_of(def);
         dGeomSetBody(geom, body);
         physics::Tag& tag = tags_[bodies_.size()];
         tag = {&physics::kRobotSurface, physics::Kind::Robot, owner_, def.part};
         dGeomSetData(geom, &tag);
+        world_.add_geom(group_, geom);
     }
     bodies_.push_back(body);
-    world_.add_body(body, kDrag, kDrag);
 }
 
 void Robot::add_joint(const nao::JointDef& def) {
@@ -96,14 +102,12 @@ void Robot::add_joint(const nao::JointDef& def) {
 }
 
 Robot::~Robot() {
+    world_.remove_mechanism(bodies_.front());
     world_.remove_group(group_);
     for (const dJointID joint : joints_) {
         if (joint != nullptr) dJointDestroy(joint);
     }
-    for (const dBodyID body : bodies_) {
-        world_.remove_body(body);
-        dBodyDestroy(body);
-    }
+    for (const dBodyID body : bodies_) dBodyDestroy(body);
 }
 
 void Robot::drive(nao::JointId id, double rate) {

@@ -56,7 +56,7 @@ class Robot {
     physics::World& world_;
     const nao::Model& model_;
     int owner_;
-    dxSpace* group_;
+    int group_;
     std::vector<dxBody*> bodies_;
     std::array<dxJoint*, nao::kJointCount> joints_{};
     std::array<const nao::JointDef*, nao::kJointCount> defs_{};

@@ -29,6 +29,8 @@ struct Player {
 
 /// Declared in the order in which parts depend on the world; players go before the world does.
 struct Scene {
+    explicit Scene(physics::Stepper stepper = physics::Stepper::Exact) : world(stepper) {}
+
     physics::World world;
     Arena arena{world};
     Ball ball{world};

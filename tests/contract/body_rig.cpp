@@ -31,8 +31,9 @@ const Vec3 kGravity(0, 0, -9.81);
 
 }  // namespace
 
-BodyRig::BodyRig(int type, const Pose2& start)
-    : arena_(world_),
+BodyRig::BodyRig(int type, const Pose2& start, server::physics::Stepper stepper)
+    : world_(stepper),
+      arena_(world_),
       ball_(world_),
       robot_(world_, nao::model(type), 1,
              {start.position.x(), start.position.y(), nao::model(type).standing_height}) {

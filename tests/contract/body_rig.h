@@ -18,7 +18,8 @@ namespace k3d::contract {
 class BodyRig {
   public:
     /// The robot stands upright with straight legs, soles on the ground, at `start`.
-    explicit BodyRig(int type = 0, const Pose2& start = {});
+    explicit BodyRig(int type = 0, const Pose2& start = {},
+                     server::physics::Stepper stepper = server::physics::Stepper::Exact);
 
     /// What the agent senses after the last step.
     const agent::motion::BodySense& sense() const { return sense_; }

@@ -23,8 +23,8 @@ std::string cpu_features() {
 
 /// Two robots swing all joints and fall over one another and the ball: joints, stops, contacts of
 /// every kind, 10 s.
-std::uint64_t scenario() {
-    body::Scene scene;
+std::uint64_t scenario(physics::Stepper stepper) {
+    body::Scene scene(stepper);
     body::Player& one = scene.add_player(0, {-0.3, 0, 0.4});
     body::Player& two = scene.add_player(4, {0.3, 0.1, 0.4});
     scene.ball.move({0.0, 0.3, 0.5});
@@ -42,11 +42,28 @@ std::uint64_t scenario() {
     return hash;
 }
 
-TEST(Golden, SameStateHashInEveryBuild) {
-    EXPECT_EQ(scenario(), 8687581142769337337ULL) << cpu_features();
+struct Golden {
+    physics::Stepper stepper;
+    std::uint64_t hash;
+};
+
+class SameBits : public testing::TestWithParam<Golden> {};
+
+TEST_P(SameBits, InEveryBuild) {
+    EXPECT_EQ(scenario(GetParam().stepper), GetParam().hash) << cpu_features();
 }
 
-TEST(Golden, SecondRunInTheSameProcessIsTheFirst) { EXPECT_EQ(scenario(), scenario()); }
+TEST_P(SameBits, InASecondRunOfTheSameProcess) {
+    EXPECT_EQ(scenario(GetParam().stepper), scenario(GetParam().stepper));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Steppers, SameBits,
+    testing::Values(Golden{physics::Stepper::Exact, 7825709875408925398ULL},
+                    Golden{physics::Stepper::Fast, 3501619502145494330ULL}),
+    [](const auto& golden) {
+        return golden.param.stepper == physics::Stepper::Exact ? "Exact" : "Fast";
+    });
 
 }  // namespace
 }  // namespace k3d::server

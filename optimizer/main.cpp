@@ -14,6 +14,7 @@
 #include "common/log/log.h"
 #include "common/version/version.h"
 #include "optimizer/daemon.h"
+#include "optimizer/drill_run.h"
 #include "optimizer/report/progress.h"
 #include "optimizer/report/table.h"
 #include "optimizer/spec/match_spec.h"
@@ -140,7 +141,9 @@ int main(int argc, char** argv) {
     CLI::App* match = app.add_subcommand(
         "match", "plays episodes of keepaway, each with new processes, and prints a table");
     add_match_flags(*match, match_options);
+    const std::function<int()> drill = k3d::optimizer::add_drill_command(app);
     return k3d::config::run_program(app, argc, argv, "k3d-optimizer", [&] {
+        if (app.got_subcommand("drill")) return drill();
         if (!match->parsed()) {
             throw std::invalid_argument("which subcommand? See k3d-optimizer --help");
         }

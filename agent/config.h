@@ -6,6 +6,7 @@
 #include <string>
 
 #include "agent/decision/config.h"
+#include "agent/decision/drill/config.h"
 #include "agent/localisation/config.h"
 #include "agent/motion/config.h"
 #include "agent/skills/config.h"
@@ -26,13 +27,15 @@ struct Config {
     decision::EvaluationConfig evaluation;
     decision::PossessionConfig possession;
     decision::TakerConfig taker;
+    decision::DrillConfig drill;
     skills::SkillConfig skills;
     world::WorldConfig world;
     localisation::LocalisationConfig localisation;
     motion::Config motion;
 
     void describe(config::Fields& f) {
-        f.text("role", role, {"auto", "keeper", "taker"}, "auto: the left team keeps, the right takes");
+        f.text("role", role, {"auto", "keeper", "taker", "drill"},
+               "auto: the left team keeps, the right takes; drill: practises one skill alone");
         f.integer("robot_type", robot_type, {0, 4}, "", "type of Nao");
         f.seed("seed", seed, "seed of this agent's random streams, together with team and number");
         f.boolean("beam", beam, "beam to a kick-off position before kick-off and after goals");
@@ -45,6 +48,7 @@ struct Config {
         f.section("evaluation", evaluation);
         f.section("possession", possession);
         f.section("taker", taker);
+        f.section("drill", drill);
         f.section("skills", skills);
         f.section("world", world);
         f.section("localisation", localisation);

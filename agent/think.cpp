@@ -21,7 +21,7 @@ skills::KickGeometry kick_geometry(const kick::Config& config) {
 }
 
 decision::PlayerSettings player_settings(const Config& c, const std::string& entity) {
-    return {c.role, {c.keepaway, c.keeper, c.evaluation, c.possession, c.skills}, c.taker, c.seed, entity};
+    return {c.role, {c.keepaway, c.keeper, c.evaluation, c.possession, c.skills}, c.taker, c.drill, c.seed, entity};
 }
 
 }  // namespace

@@ -13,6 +13,7 @@
 #include "common/config/command_line.h"
 #include "common/log/log.h"
 #include "common/version/version.h"
+#include "optimizer/drill_run.h"
 #include "optimizer/hopeless.h"
 #include "optimizer/match.h"
 #include "optimizer/report/progress.h"
@@ -144,6 +145,7 @@ int main(int argc, char** argv) {
         "match", "plays episodes of keepaway, each with new processes, and prints a table");
     add_match_flags(*match, match_options);
     match->callback([&] { chosen = [&match_options] { return run_match(match_options); }; });
+    k3d::optimizer::add_drill_command(app, chosen);
     k3d::optimizer::add_run_verbs(app, chosen);
     return k3d::config::run_program(app, argc, argv, "k3d-optimizer", [&] {
         if (!chosen) throw std::invalid_argument("which subcommand? See k3d-optimizer --help");

@@ -120,8 +120,15 @@ void Simulation::take_seat(session::AgentSession& agent) {
     player.team = seat->team;
     player.unum = seat->unum;
     player.team_name = init.team;
-    const double heading = seat->team == wire::Side::Left ? 0.0 : kPi;
-    player.robot->place(game::Soccer::start_slot(seat->team, seat->unum), heading);
+    line_up(agent);
+}
+
+/// Where a soccer player stands until it beams.
+void Simulation::line_up(const session::AgentSession& agent) {
+    const session::Seat& seat = *agent.seat;
+    const double heading = seat.team == wire::Side::Left ? 0.0 : kPi;
+    scene_->find(*agent.player)->robot->place(game::Soccer::start_slot(seat.team, seat.unum),
+                                              heading);
 }
 
 void Simulation::act(session::AgentSession& agent) {

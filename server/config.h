@@ -85,6 +85,8 @@ struct PaceConfig {
     std::string mode = "realtime";
     double hung_agent = 30.0;
     double lobby = 0.0;
+    int lobby_left = 0;
+    int lobby_right = 0;
 
     void describe(config::Fields& f) {
         f.text("mode", mode, {"realtime", "sync", "fast"},
@@ -92,8 +94,12 @@ struct PaceConfig {
                "most wall-clock speed; fast: waits for every agent, no clock");
         f.number("hung_agent", hung_agent, {0.1, 3600.0}, "s",
                  "wall time an agent may keep the others waiting");
+        f.integer("lobby_left", lobby_left, {0, 11}, "players",
+                  "soccer: the clock starts when exactly so many play on the left, so that connect "
+                  "times leave no trace; 0 on both sides: it runs at once, for all 11");
+        f.integer("lobby_right", lobby_right, {0, 11}, "players", "the same on the right");
         f.number("lobby", lobby, {0.0, 86400.0}, "s",
-                 "wall time in which all keepaway seats must be taken; 0 = no limit");
+                 "wall time in which all seats waited for must be taken; 0 = no limit");
     }
 };
 

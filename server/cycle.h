@@ -72,6 +72,7 @@ class Simulation {
     void lose(session::AgentSession& agent, const std::string& why);
     void load_robot(session::AgentSession& agent);
     void take_seat(session::AgentSession& agent);
+    void line_up(const session::AgentSession& agent);
     void act(session::AgentSession& agent);
     void say(session::AgentSession& agent, const std::string& text);
     void judge_self_collisions();

@@ -23,6 +23,18 @@ constexpr int kSoccerSeats = 11;
 
 bool is_keepaway(const Config& config) { return config.game == "keepaway"; }
 
+/// Whether the clock waits for all players.
+bool has_lobby(const Config& config) {
+    return is_keepaway(config) || config.pace.lobby_left + config.pace.lobby_right > 0;
+}
+
+int seats(const Config& config, wire::Side side) {
+    const bool left = side == wire::Side::Left;
+    if (is_keepaway(config)) return left ? config.keepaway.keepers : config.keepaway.takers;
+    if (!has_lobby(config)) return kSoccerSeats;
+    return left ? config.pace.lobby_left : config.pace.lobby_right;
+}
+
 std::uint16_t port(int number) { return static_cast<std::uint16_t>(number); }
 
 }  // namespace
@@ -31,9 +43,8 @@ Simulation::Simulation(const Config& config, const Files& files)
     : config_(config),
       files_(files),
       pacer_(config.pace),
-      teams_(config.left_team, config.right_team,
-             is_keepaway(config) ? config.keepaway.keepers : kSoccerSeats,
-             is_keepaway(config) ? config.keepaway.takers : kSoccerSeats,
+      teams_(config.left_team, config.right_team, seats(config, wire::Side::Left),
+             seats(config, wire::Side::Right),
              is_keepaway(config) || !config.soccer.type_quotas
                  ? std::nullopt
                  : std::optional(session::TypeQuotas{})),
@@ -58,7 +69,7 @@ Simulation::Simulation(const Config& config, const Files& files)
           }),
       scene_(std::make_unique<body::Scene>(config.physics.kind())),
       game_(game::Soccer(config.soccer)),
-      lobby_(is_keepaway(config)),
+      lobby_(has_lobby(config)),
       lobby_since_(net::Clock::now()) {
     if (config.network.http_port >= 0) {
         viewer_.emplace(loop_, config.network.listen, port(config.network.http_port),
@@ -170,9 +181,16 @@ void Simulation::begin_episode() {
         agent->player = player.id;
         begin_percepts(*agent);
     }
-    game_.emplace<game::Keepaway>(config_.keepaway, seed, *scene_);
+    if (is_keepaway(config_)) {
+        game_.emplace<game::Keepaway>(config_.keepaway, seed, *scene_);
+    } else {
+        for (const auto& agent : agents_) {
+            if (agent->seat) line_up(*agent);
+        }
+    }
     game::state(game_).team_left = teams_.left();
     game::state(game_).team_right = teams_.right();
+    if (!is_keepaway(config_)) return;
     spdlog::info("episode {} of {}, seed {}: '{}' keep the ball from '{}'", episode_,
                  config_.episodes, seed, teams_.left(), teams_.right());
 }

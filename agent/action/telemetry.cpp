@@ -105,7 +105,8 @@ void Telemetry::record(const world::Beliefs& b, const motion::State& body,
     }
     if (b.now + 1e-9 < next_belief_) return;
     next_belief_ = b.now + belief_interval_;
-    write("belief", {{"mode", b.game.play_mode},
+    write("belief", {{"game_time", rounded(b.game.time)},
+                     {"mode", b.game.play_mode},
                      {"pose", pose(b.self, absolute)},
                      {"upright", body.upright},
                      {"activity", name_of(body.activity)},

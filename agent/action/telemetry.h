@@ -3,7 +3,7 @@
 //
 // Every line is an object with "time", the server's `now` in s, and "event":
 //   start         team, unum
-//   belief        every belief_interval: mode, pose (x, y, yaw_deg, sd, yaw_sd_deg, localised),
+//   belief        every belief_interval: game_time, mode, pose (x, y, yaw_deg, sd, yaw_sd_deg, localised),
 //                 upright, activity, falls, kicks, ball (x, y, vx, vy, finish_x, finish_y,
 //                 seen = s since own sight) or null, role, skill, k1, k2, target (x, y) or null,
 //                 cost, taker_distance

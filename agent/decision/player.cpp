@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Keeper or taker, playing or waiting.
+// Keeper, taker or drill, playing or waiting.
 #include "agent/decision/player.h"
 
 #include "agent/skills/look.h"
@@ -11,12 +11,16 @@ Player::Player(const PlayerSettings& s, const skills::KickGeometry& kick)
       skills_(s.keeper.skills),
       keeper_(s.keeper, load_policy(s.keeper.keeper.policy), kick,
               RandomStream(s.seed, s.entity, "target")),
-      taker_(s.taker, s.keeper.skills, RandomStream(s.seed, s.entity, "follow")) {}
+      taker_(s.taker, s.keeper.skills, RandomStream(s.seed, s.entity, "follow")),
+      drill_(s.drill, s.keeper.possession, s.keeper.skills, kick,
+             RandomStream(s.seed, s.entity, "drill")) {}
 
 Decision Player::decide(const world::Beliefs& b, const motion::State& body,
                         std::span<const talk::Report> reports) {
     const bool keeps = role_ == "keeper" || (role_ == "auto" && b.game.side == wire::Side::Left);
-    if (b.game.play_mode == "PlayOn" && b.game.side != wire::Side::None)
+    const bool plays = b.game.play_mode == "PlayOn" && b.game.side != wire::Side::None;
+    if (plays && role_ == "drill") return drill_.decide(b, body);
+    if (plays)
         return keeps ? keeper_.decide(b, body, reports) : taker_.decide(b, body);
     Decision d;
     d.request.head = skills::look(b, body, false, skills_);

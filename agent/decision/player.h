@@ -6,15 +6,17 @@
 #include <string>
 
 #include "agent/decision/decision.h"
+#include "agent/decision/drill/drill.h"
 #include "agent/decision/keepaway/keeper.h"
 #include "agent/decision/keepaway/taker.h"
 
 namespace k3d::agent::decision {
 
 struct PlayerSettings {
-    std::string role = "auto";  ///< auto, keeper, taker
+    std::string role = "auto";  ///< auto, keeper, taker, drill
     KeeperSettings keeper;
     TakerConfig taker;
+    DrillConfig drill;
     std::uint64_t seed = 1;
     std::string entity;         ///< names this player's random streams
 };
@@ -24,7 +26,7 @@ class Player {
     /// Throws network::NetworkError for a policy or network that cannot be used.
     Player(const PlayerSettings& settings, const skills::KickGeometry& kick);
 
-    /// Keeps or takes while the game is on; otherwise stands and looks around.
+    /// Keeps, takes or drills while the game is on; otherwise stands and looks around.
     Decision decide(const world::Beliefs& beliefs, const motion::State& body,
                     std::span<const talk::Report> reports);
 
@@ -33,6 +35,7 @@ class Player {
     skills::SkillConfig skills_;
     Keeper keeper_;
     Taker taker_;
+    Drill drill_;
 };
 
 }  // namespace k3d::agent::decision

@@ -71,6 +71,10 @@ void BodyMotion::choose(const BodySense& sense, const Request& request) {
         return;
     }
     if (kick(sense, request)) return;
+    if (const Topple* wish = std::get_if<Topple>(&request.body)) {
+        topple(*wish);
+        return;
+    }
     const Walk* wish = std::get_if<Walk>(&request.body);
     stand_or_walk(sense, wish != nullptr ? *wish : Walk{});
 }
@@ -127,6 +131,18 @@ void BodyMotion::stand_or_walk(const BodySense& sense, const Walk& wish) {
     const bool walking = walk_.step(sense, posture_.posture(), wish, targets_);
     if (walking) stood_since_ = time_;
     state_.activity = walking ? Activity::Walking : Activity::Standing;
+}
+
+void BodyMotion::topple(const Topple& wish) {
+    using enum nao::JointId;
+    // A foot that pitches up tips the body forward over it; one that rolls, sideways.
+    targets_[RAnklePitch] += wish.forward * kCycleSeconds;
+    targets_[LAnklePitch] += wish.forward * kCycleSeconds;
+    targets_[RAnkleRoll] += wish.left * kCycleSeconds;
+    targets_[LAnkleRoll] += wish.left * kCycleSeconds;
+    state_.activity = Activity::Standing;
+    in_stance_ = false;
+    walk_.abandon();
 }
 
 nao::JointArray BodyMotion::stance() const {

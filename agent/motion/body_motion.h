@@ -39,6 +39,7 @@ class BodyMotion {
     void fall_and_get_up(const BodySense& sense);
     bool kick(const BodySense& sense, const Request& request);
     void stand_or_walk(const BodySense& sense, const Walk& wish);
+    void topple(const Topple& wish);
     void take_up_stance();
     nao::JointArray stance() const;
 

@@ -49,7 +49,14 @@ struct Kick {
     double distance = 5.0;      ///< m wanted
 };
 
-using BodyRequest = std::variant<Stand, Walk, Kick>;
+/// Tip over on purpose, for drills of falling and getting up: the ankles turn at these speeds until
+/// the robot falls.
+struct Topple {
+    double forward = 0.0;  ///< rad/s, negative: onto the back
+    double left = 0.0;     ///< rad/s
+};
+
+using BodyRequest = std::variant<Stand, Walk, Kick, Topple>;
 
 /// Where the head shall look: neck yaw (positive left) and pitch (positive up), rad.
 struct HeadRequest {

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The place of one drill: a server and one agent as processes of their own, and a trainer that
+// places ball and robot and sees the truth. On a server that runs already only the agent is ours.
+//
+// A server of ours waits for the trainer's (syn) after each frame, so that a drill with the same
+// seed is the same drill; the reference server waits for nobody.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "common/net/net.h"
+#include "common/process/child.h"
+#include "common/wire/trainer.h"
+#include "optimizer/drill/scene.h"
+#include "optimizer/spec/drill_spec.h"
+
+namespace k3d::optimizer::drill {
+
+inline constexpr double kFrameSeconds = 0.04;  ///< from one frame of the monitor stream to the next
+
+/// Why a drill could not be carried out; one line.
+class DrillFailure : public std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+class Stage {
+  public:
+    /// `agent_settings`: path=value words. `http_port` -1: no page. All files go to `folder`.
+    /// Throws DrillFailure, process::ProcessError, net::NetError.
+    Stage(const spec::DrillSpec& spec, std::uint64_t seed,
+          const std::vector<std::string>& agent_settings, const std::string& folder, int http_port);
+
+    /// Lets the robot stand up, places it in its own half and gives it time to find out where it
+    /// is; then the game is on, and the drill's time and track begin.
+    void begin(const Pose2& pose, const wire::BallCommand& ball);
+    void command(const wire::TrainerCommand& command);
+    /// Moves the robot; it keeps its joints, stands upright and looks along pose.yaw.
+    void place(const Pose2& pose);
+
+    /// Sends what was commanded and waits for the next frame.
+    const Truth& next();
+    /// Goes on until `done` holds or so much simulated time has passed; returns whether it holds.
+    bool until(double seconds, const std::function<bool(const Truth&)>& done);
+
+    const Truth& truth() const { return scene_.truth(); }
+    const RobotTruth& robot() const { return *scene_.truth().robot; }
+    /// Every frame since begin(), the first one with the game on.
+    const std::vector<Truth>& track() const { return track_; }
+    std::string hash() const;  ///< 16 hex digits over the track's frames
+    std::string telemetry_file() const;
+    int page_port() const { return page_port_; }
+
+    /// Ends server and agent; the telemetry is complete then.
+    void finish();
+
+  private:
+    void start_server(const spec::DrillSpec& spec, std::uint64_t seed, int http_port);
+    void start_agent(const spec::DrillSpec& spec, std::uint64_t seed,
+                     const std::vector<std::string>& settings);
+    void receive();
+    void wait_for(std::string_view& frame);
+    [[noreturn]] void fail(const std::string& what);
+
+    std::string folder_;
+    std::string host_;
+    std::chrono::milliseconds patience_;
+    bool own_server_;
+    bool syncs_;
+    int agent_port_ = 0;
+    int monitor_port_ = 0;
+    int page_port_ = -1;
+    std::unique_ptr<process::Child> server_;
+    std::unique_ptr<net::Client> trainer_;
+    std::unique_ptr<process::Child> agent_;
+    std::string commands_;
+    Scene scene_;
+    bool asked_ = false;  ///< next() was called before
+    bool recording_ = false;
+    std::vector<Truth> track_;
+    std::uint64_t hash_ = 0;
+};
+
+}  // namespace k3d::optimizer::drill

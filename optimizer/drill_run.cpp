@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "optimizer/drill_run.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <csignal>
+#include <iostream>
+#include <memory>
+
+#include "common/config/command_line.h"
+#include "common/log/log.h"
+#include "optimizer/backend/log_folder.h"
+#include "optimizer/drill/play.h"
+#include "optimizer/report/drill_table.h"
+#include "optimizer/report/results_file.h"
+#include "optimizer/spec/drill_spec.h"
+#include "optimizer/spec/words.h"
+
+namespace k3d::optimizer {
+
+namespace {
+
+const std::vector<config::ShortFlag> kFlags{
+    {"--runs", "runs", "runs, each with new processes (default 10)"},
+    {"--seed", "seed", "of the first run, the next ones count up (default 1)"},
+    {"--type", "type", "type of Nao, 0-4 (default 0)"},
+    {"--http", "http_port", "port of the page, 0 = any; then in real time (default: no page)"},
+    {"--pace", "pace", "realtime, sync or fast"},
+    {"--scenarios", "scenarios", "kick_task: train, validation or test"},
+    {"--results", "results", "file for one EpisodeResult line per run"},
+    {"--log-folder", "log_folder", "keep all logs here"},
+    {"--server-config", "server_config", "TOML file for k3d-server"},
+    {"--agent-config", "agent_config", "TOML file for k3d-agent"},
+    {"--host", "host", "where a server runs already, with the two ports"},
+    {"--agent-port", "agent_port", "its agent port (default: a new server for each run)"},
+    {"--server-port", "server_port", "its monitor port"},
+};
+
+/// `agent:` and `server:` settings are passed on; the others are the drill's own.
+spec::DrillSpec resolve(config::CommandLine line, const std::string& name) {
+    spec::DrillSpec spec;
+    std::string passed_on;
+    std::erase_if(line.settings, [&](const auto& setting) {
+        if (!setting.first.starts_with("agent:") && !setting.first.starts_with("server:")) {
+            return false;
+        }
+        passed_on += " " + spec::quote_word(setting.first + "=" + setting.second);
+        return true;
+    });
+    const auto describe = config::describing(spec);
+    config::resolve(line, describe);
+    config::set(describe, "name", name);
+    spec.settings += passed_on;
+    spec::check(spec);
+    return spec;
+}
+
+int run(const spec::DrillSpec& spec) {
+    backend::LogFolder logs(spec.log_folder);
+    report::ResultsFile lines(spec.results);
+    std::vector<k3d::episode::Result> results;
+    int http_port = spec.http_port;
+    const auto tell_page = [&](int port) {
+        if (http_port != port || results.empty()) {
+            std::cout << fmt::format("watch http://127.0.0.1:{}/", port) << std::endl;
+        }
+        http_port = port;
+    };
+    for (int index = 0; index < spec.runs; ++index) {
+        const std::uint64_t seed = spec.seed + static_cast<std::uint64_t>(index);
+        const std::string folder = logs.begin({index, seed, 1});
+        try {
+            results.push_back(drill::play(spec, index, folder, http_port, tell_page));
+            logs.end(folder, false);
+            lines.settle(index, results.back());
+        } catch (const std::runtime_error& error) {
+            logs.end(folder, true);
+            lines.settle(index, std::nullopt);
+            std::cerr << fmt::format("run {}, seed {}: {}; logs in {}", index + 1, seed,
+                                     error.what(), folder)
+                      << std::endl;
+            // What fails in the first run fails in all: a flag, a file, a port.
+            if (results.empty()) return config::kExitFailed;
+        }
+    }
+    lines.close();
+    std::cout << report::drill_table(spec, results);
+    return results.size() == static_cast<std::size_t>(spec.runs) ? 0 : config::kExitFailed;
+}
+
+}  // namespace
+
+void add_drill_command(CLI::App& app, std::function<int()>& chosen) {
+    struct Options {
+        std::string name;
+        config::CommandLine line;
+    };
+    auto options = std::make_shared<Options>();
+    CLI::App* drill = app.add_subcommand(
+        "drill", "measures one skill of the agent against the truth, and prints a table");
+    drill->add_option("name", options->name, "what is drilled")
+        ->required()
+        ->check(CLI::IsMember(spec::kDrillNames));
+    config::add_flags(*drill, options->line, kFlags, "agent:motion.walk.max_forward=0.8");
+    drill->callback([options, &chosen] {
+        chosen = [options] {
+            log::start("k3d-optimizer", options->line.log_level);
+            spec::DrillSpec spec = resolve(options->line, options->name);
+            if (options->line.print_config) {
+                std::cout << config::print(config::describing(spec));
+                return 0;
+            }
+            std::signal(SIGPIPE, SIG_IGN);
+            return run(spec);
+        };
+    });
+}
+
+}  // namespace k3d::optimizer

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Drills as a user starts them: optimizer, server and agent over real sockets.
+#include <gmock/gmock.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "common/episode/result.h"
+#include "integration/server_process.h"
+
+namespace k3d::testing {
+namespace {
+
+using ::testing::HasSubstr;
+
+class Drills : public ::testing::Test {
+  protected:
+    Drills()
+        : folder_(std::filesystem::temp_directory_path() /
+                  ("k3d-drill-" + std::to_string(getpid()))) {
+        std::filesystem::create_directories(folder_);
+    }
+    ~Drills() override { std::filesystem::remove_all(folder_); }
+
+    /// Runs it to its end; what it printed stays in said().
+    int run(std::vector<std::string> arguments) {
+        arguments.insert(arguments.begin(), {K3D_BIN_DIR "/k3d-optimizer", "drill"});
+        process::Child child({arguments, file("said"), false});
+        const auto exit = child.wait(std::chrono::minutes(2));
+        return exit ? exit->code : -1;
+    }
+    std::string file(const std::string& name) const { return (folder_ / name).string(); }
+    std::string content(const std::string& name) const {
+        std::ifstream in(file(name));
+        return {std::istreambuf_iterator<char>(in), {}};
+    }
+
+    std::filesystem::path folder_;
+};
+
+TEST_F(Drills, TheSameSeedGivesTheSameLines) {
+    for (const char* name : {"first", "second"}) {
+        ASSERT_EQ(run({"kick", "--runs", "2", "--seed", "3", "--results", file(name)}), 0)
+            << content("said");
+    }
+    EXPECT_EQ(content("first"), content("second"));
+    std::ifstream lines(file("first"));
+    int runs = 0;
+    for (std::string line; std::getline(lines, line); ++runs) {
+        const episode::Result result = episode::from_line(line);
+        EXPECT_EQ(result.game, "drill_kick");
+        EXPECT_EQ(result.seed, 3U + static_cast<unsigned>(runs));
+        EXPECT_EQ(result.reason, "done") << line;
+        EXPECT_EQ(result.attempts, 1);
+        EXPECT_GT(result.metrics.at("distance_m"), 3.0) << line;
+        EXPECT_LT(result.metrics.at("position_error_m"), 0.1) << line;
+        EXPECT_LT(result.metrics.at("ball_error_percent"), 5.0) << line;
+    }
+    EXPECT_EQ(runs, 2);
+    EXPECT_THAT(content("said"), HasSubstr("direction_error_deg             2"));
+}
+
+TEST_F(Drills, AFallenRobotIsMeasuredGettingUp) {
+    ASSERT_EQ(run({"getup", "--results", file("lines"), "--runs", "1"}), 0) << content("said");
+    const episode::Result result = episode::from_line(content("lines"));
+    EXPECT_EQ(result.reason, "done");
+    EXPECT_EQ(result.metrics.at("falls"), 1.0);
+    EXPECT_GT(result.metrics.at("up_after_s"), 0.5);
+}
+
+TEST_F(Drills, AServerThatRunsAlreadyIsUsed) {
+    ServerProcess server({"--pace", "realtime"});
+    ASSERT_EQ(run({"turn", "--runs", "1", "--set", "setup.turn_s=1.5", "--agent-port",
+                   std::to_string(server.agent_port()), "--server-port",
+                   std::to_string(server.trainer_port()), "--results", file("lines")}),
+              0)
+        << content("said");
+    const episode::Result result = episode::from_line(content("lines"));
+    EXPECT_GT(std::abs(result.metrics.at("turn_deg_per_s")), 30.0);
+    EXPECT_FALSE(server.child().poll()) << "it is not ours to end";
+}
+
+TEST_F(Drills, WhatCannotBeDrilledIsNamed) {
+    EXPECT_EQ(run({"juggle"}), 2);
+    EXPECT_THAT(content("said"), HasSubstr("juggle"));
+    EXPECT_EQ(run({"walk", "--set", "setup.walk_km=3"}), 2);
+    EXPECT_THAT(content("said"), HasSubstr("walk_km"));
+    EXPECT_EQ(run({"walk", "--agent-port", "3100"}), 2);
+    EXPECT_THAT(content("said"), HasSubstr("server_port"));
+    EXPECT_EQ(run({"walk", "--set", "agent:motion.wlak=3"}), 1);
+    EXPECT_THAT(content("said"), HasSubstr("wlak"));
+}
+
+}  // namespace
+}  // namespace k3d::testing

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What all drills measure, on tracks made by hand.
+#include "optimizer/drill/plan.h"
+
+#include <gtest/gtest.h>
+
+#include "optimizer/drill/scenarios.h"
+
+namespace k3d::optimizer::drill {
+namespace {
+
+Moment moment(double time, double up, const Vec2& ball) {
+    Moment m;
+    m.time = m.truth.time = time;
+    m.truth.robot = RobotTruth{{0, 0, 0.38}, {}, up};
+    m.truth.ball = {ball.x(), ball.y(), 0.04};
+    m.belief = Belief{};
+    m.belief->localised = true;
+    return m;
+}
+
+TEST(DrillPlan, QuantilesLieBetweenNeighbours) {
+    EXPECT_EQ(quantile({3.0, 1.0, 2.0}, 0.5), 2.0);
+    EXPECT_EQ(quantile({1.0, 2.0}, 0.25), 1.25);
+    EXPECT_EQ(quantile({7.0}, 0.95), 7.0);
+}
+
+TEST(DrillPlan, AFallCountsOnceUntilUpright) {
+    std::vector<Moment> moments;
+    for (const double up : {1.0, 0.4, 0.7, 0.3, 0.95, 0.2}) {
+        moments.push_back(moment(0.04 * static_cast<double>(moments.size()), up, {}));
+    }
+    EXPECT_EQ(count_falls(moments), 2);
+}
+
+TEST(DrillPlan, EstimateErrorsAreOfWhatIsSeenWhileUpright) {
+    std::vector<Moment> moments{moment(1.0, 1.0, {2.0, 0.0}), moment(1.04, 1.0, {2.0, 0.0})};
+    moments[0].belief->pose = {{0.3, 0.4}, radians(10.0)};
+    moments[0].belief->ball = Belief::Ball{{2.0, 0.1}, {}, 0.0};
+    moments[1].belief->pose = {{0.1, 0.0}, radians(-2.0)};
+    moments[1].belief->ball = Belief::Ball{{9.0, 9.0}, {}, 3.0};  // remembered, not in view
+    Measured out;
+    add_estimate_errors(moments, out);
+    EXPECT_NEAR(out.metrics.at("position_error_m"), 0.3, 1e-12);
+    EXPECT_NEAR(out.metrics.at("yaw_error_deg"), 6.0, 1e-9);
+    EXPECT_NEAR(out.metrics.at("ball_error_percent"), 5.0, 1e-9);
+    moments[0].truth.robot->up = 0.0;
+    Measured down;
+    add_estimate_errors(moments, down);
+    EXPECT_NEAR(down.metrics.at("position_error_m"), 0.1, 1e-12);
+}
+
+TEST(DrillPlan, FinishErrorsAreTakenAtTheirTimes) {
+    std::vector<Moment> moments;
+    for (int i = 0; i <= 20; ++i) {
+        Moment m = moment(0.04 * i, 1.0, {0.1 * i, 0.0});
+        m.ball_velocity = {2.5, 0.0};
+        // The prediction comes nearer by 5 cm a frame; the roll ends at x = 2.
+        m.belief->ball = Belief::Ball{{}, {2.0, 1.0 - 0.05 * i}, 0.0};
+        moments.push_back(m);
+    }
+    Measured out;
+    add_finish_errors(moments, 0, out);
+    EXPECT_NEAR(out.metrics.at("finish_error_0.2s_m"), 0.75, 1e-9);
+    EXPECT_NEAR(out.metrics.at("finish_error_0.5s_m"), 0.35, 1e-9) << "at 0.52 s";
+    EXPECT_EQ(out.metrics.count("finish_error_1.0s_m"), 0U);
+    EXPECT_GT(out.metrics.at("finish_loss"), 0.0);
+}
+
+TEST(Scenarios, TablesAreDisjointAndWithinTheField) {
+    std::vector<Scenario> all;
+    for (const char* table : {"train", "validation", "test"}) {
+        for (int i = 0; i < kScenarios; ++i) all.push_back(scenario_of(table, i));
+        EXPECT_EQ(scenario_of(table, kScenarios + 3).target, scenario_of(table, 3).target);
+    }
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        EXPECT_LT(std::abs(all[i].target.x()), 14.0);
+        EXPECT_LT(std::abs(all[i].target.y()), 9.0);
+        for (std::size_t k = 0; k < i; ++k) EXPECT_NE(all[i].target, all[k].target);
+    }
+}
+
+}  // namespace
+}  // namespace k3d::optimizer::drill

@@ -68,6 +68,7 @@ double first_threshold(const std::vector<Genome>& population, const Settings& se
                 return distance(genome, *f, settings) < middle;
             });
             if (!joins) founders.push_back(&genome);
+            if (static_cast<int>(founders.size()) > settings.target_species) break;
         }
         (static_cast<int>(founders.size()) > settings.target_species ? low : high) = middle;
     }

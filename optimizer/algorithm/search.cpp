@@ -58,7 +58,7 @@ Search make_search(const spec::AlgorithmSpec& spec, const spec::Problem& problem
         if (sought == nullptr) {
             throw AlgorithmError("algorithm \"neat\" searches a network, not a list of parameters");
         }
-        return neat::Search(spec.neat, sought->start, seed);
+        return neat::Search(neat::settings_of(spec.neat), sought->start, seed);
     }
     Coordinates space = coordinates_of(spec, problem);
     if (spec.name == "cmaes") {

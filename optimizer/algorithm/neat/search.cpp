@@ -36,8 +36,8 @@ double mean_links(const std::vector<Genome>& population) {
 
 }  // namespace
 
-Search::Search(const spec::NeatSpec& spec, const network::Definition& start, std::uint64_t seed)
-    : settings_(settings_of(spec)),
+Search::Search(const Settings& settings, const network::Definition& start, std::uint64_t seed)
+    : settings_(settings),
       interface_(start),
       seed_(seed),
       innovations_(interface_.first_new_node()),
@@ -63,6 +63,7 @@ void Search::found() {
         mutate_weights(population_[i], draw, stream);
     }
     phase_.floor = mean_links(population_);
+    threshold_ = first_threshold(population_, settings_);
 }
 
 network::Definition Search::network(std::size_t candidate) const {

@@ -23,7 +23,7 @@ struct Phase {
 
 class Search {
   public:
-    Search(const spec::NeatSpec& spec, const network::Definition& start, std::uint64_t seed);
+    Search(const Settings& settings, const network::Definition& start, std::uint64_t seed);
 
     void begin(int generation) { generation_ = generation; }
     std::size_t size() const { return population_.size(); }

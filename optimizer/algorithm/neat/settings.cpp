@@ -27,9 +27,10 @@ Settings keepaway_paper() {
 /// Section 4.1 of the NEAT paper, as for XOR and double pole balancing with velocities.
 Settings stanley2002() {
     Settings s;
+    s.mate_only = 0.0;
+    s.one_structural_change = false;
     s.perturbation = 1.0;
     s.new_weight = 2.0;
-    s.weight_limit = 30.0;
     return s;
 }
 
@@ -39,7 +40,10 @@ Settings modern() {
     s.target_species = 8;
     s.kept_species = 2;
     s.share_above_worst = true;
+    s.mate_only = 0.0;
     s.average = 0.2;
+    s.perturbation = 1.0;
+    s.new_weight = 2.0;
     s.add_node = 0.04;
     s.add_link = 0.08;
     s.delete_node = 0.01;

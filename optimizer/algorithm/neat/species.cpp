@@ -11,6 +11,8 @@
 namespace k3d::optimizer::algorithm::neat {
 namespace {
 
+constexpr double kMostThreshold = 1e6;
+
 /// Indices of species from the one with the best member to the one with the worst best.
 std::vector<std::size_t> by_best_member(const std::vector<Species>& species,
                                         const std::vector<double>& fitness) {
@@ -53,12 +55,32 @@ void speciate(std::vector<Species>& species, int& next_id, const std::vector<Gen
     }
 }
 
+double first_threshold(const std::vector<Genome>& population, const Settings& settings) {
+    if (settings.target_species == 0) return settings.threshold;
+    // A larger threshold gives fewer species, roughly: halve the interval a fixed number of times.
+    double low = settings.least_threshold;
+    double high = settings.threshold;
+    for (int i = 0; i < 12; ++i) {
+        const double middle = 0.5 * (low + high);
+        std::vector<const Genome*> founders;
+        for (const Genome& genome : population) {
+            const bool joins = std::any_of(founders.begin(), founders.end(), [&](const Genome* f) {
+                return distance(genome, *f, settings) < middle;
+            });
+            if (!joins) founders.push_back(&genome);
+            if (static_cast<int>(founders.size()) > settings.target_species) break;
+        }
+        (static_cast<int>(founders.size()) > settings.target_species ? low : high) = middle;
+    }
+    return high;
+}
+
 double next_threshold(double threshold, std::size_t species, const Settings& settings) {
     if (settings.target_species == 0) return threshold;
     const auto target = static_cast<std::size_t>(settings.target_species);
-    if (species < target) threshold -= settings.threshold_step;
-    if (species > target) threshold += settings.threshold_step;
-    return std::max(settings.least_threshold, threshold);
+    if (species < target) threshold /= 1.0 + settings.threshold_step;
+    if (species > target) threshold *= 1.0 + settings.threshold_step;
+    return std::clamp(threshold, settings.least_threshold, kMostThreshold);
 }
 
 std::vector<int> allot(const std::vector<Species>& species, const std::vector<double>& fitness,

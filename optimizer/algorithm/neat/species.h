@@ -25,6 +25,10 @@ void speciate(std::vector<Species>& species, int& next_id, const std::vector<Gen
               const std::vector<double>& fitness, double threshold, int generation,
               const Settings& settings, RandomStream& stream);
 
+/// The threshold that sorts this population into the wanted number of species, or as near as it gets;
+/// the settings' own if it is fixed.
+double first_threshold(const std::vector<Genome>& population, const Settings& settings);
+
 /// The threshold for the next generation: unchanged if it is fixed.
 double next_threshold(double threshold, std::size_t species, const Settings& settings);
 

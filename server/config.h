@@ -108,8 +108,8 @@ struct PhysicsConfig {
 
     void describe(config::Fields& f) {
         f.text("stepper", stepper, {"exact", "fast"},
-               "exact: dWorldStep, as the reference; fast: our solver of the same equations with "
-               "rigid hinges, in a small part of its time");
+               "exact: dWorldStep, as the reference; fast: our own solver of the same equations, in a "
+               "small part of its time");
     }
     physics::Stepper kind() const {
         return stepper == "fast" ? physics::Stepper::Fast : physics::Stepper::Exact;

@@ -28,12 +28,14 @@ struct Hinge {
     double fudge;       ///< share of the motor's torque left when it drives away from a stop
 
     // Of this step.
-    Vec3 a, r, c;       ///< a_i, r_i and c_i of fast_stepper.h, field axes
-    Vec3 r_parent;      ///< r_p
-    Vec3 mend_linear;   ///< -(erp / h) e
-    Vec3 mend_angular;  ///< (erp / h) a x u
-    double target;      ///< rad/s
-    double low, high;   ///< N m
+    Vec3 a, r, c;        ///< a_i, r_i and c_i of fast_stepper.h, field axes
+    Vec3 r_parent;       ///< r_p
+    Vec3 mend_linear;    ///< -(erp / h) e
+    Vec3 mend_angular;   ///< (erp / h) a x u
+    Vec3 yield_linear;   ///< -cfm f
+    Vec3 yield_angular;  ///< -cfm times the torque across a
+    double target;       ///< rad/s
+    double low, high;    ///< N m
     Grasp grasp;
     double rate;    ///< rad/s, of the solution
     double torque;  ///< N m, on the child about a

@@ -34,9 +34,11 @@ class IslandSolver {
     };
 
     void lay_out(std::span<Linkage* const> linkages, std::span<Grip* const> grips);
+    void aim(std::span<Linkage* const> linkages, std::span<Grip* const> grips);
     void add_rows(const Grip& grip);
-    void add_block(const Side& side, const Vec3& direction, double sign, int block, Row& row);
-    void add_to_system(const Row& row);
+    void add_block(const Side& side, const Vec3& direction, int block, Row& row);
+    void add_stiffness(const Row& row, std::vector<double>& matrix) const;
+    void add_target(const Row& row, std::vector<double>& right) const;
     double slack(const Row& row) const;  ///< target minus velocity, of the solution
     void solve_system(std::span<Grip* const> grips);
     bool flip_normals(std::span<Grip* const> grips, bool one_only);
@@ -45,8 +47,10 @@ class IslandSolver {
     std::size_t size_ = 0;  ///< unknowns
     std::vector<double> coefficients_;
     std::vector<Row> rows_;                           ///< three for each grip
-    std::vector<double> fixed_matrix_, fixed_right_;  ///< all but the normals
-    std::vector<double> matrix_, right_;              ///< lower triangle; right side, then solution
+    std::vector<double> fixed_matrix_, fixed_right_;  ///< all but the normals; lower triangle
+    std::vector<double> matrix_;                      ///< the factor of all that is in force
+    bool factored_ = false;
+    std::vector<double> right_;  ///< right side, then solution
 };
 
 }  // namespace k3d::server::physics::fast

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "server/physics/fast/linkage.h"
 
+#include <cmath>
 #include <cstdlib>
 
 #include "common/clock/clock.h"
@@ -118,15 +119,17 @@ void Linkage::read_hinge(std::size_t i) {
     hinge.mend_linear = -mend * gap;
     hinge.mend_angular = mend * hinge.a.cross(Vec3(parent_state.rotation * hinge.parent_axis));
 
+    hinge.yield_linear = hinge.yield_angular = Vec3::Zero();
+
     const dReal* q = link.quaternion;
     const dReal* p = parent.quaternion;
-    // conj(p) q, of which the vector part lies along the axis.
+    // conj(p) q. Of its vector part ODE takes the whole length, also what is not along the axis.
     const Vec3 sine =
         p[0] * vector(q + 1) - q[0] * vector(p + 1) - vector(p + 1).cross(vector(q + 1));
     const double cosine = p[0] * q[0] + vector(p + 1).dot(vector(q + 1));
-    const double sign = cosine < 0.0 ? -1.0 : 1.0;
+    const bool backwards = (sine.dot(hinge.parent_axis) < 0.0) != (cosine < 0.0);
     const double old_rate = hinge.a.dot(vector(link.angular) - vector(parent.angular));
-    hinge.read_motor(sign * sine.dot(hinge.parent_axis), sign * cosine, old_rate);
+    hinge.read_motor(backwards ? -sine.norm() : sine.norm(), std::abs(cosine), old_rate);
 }
 
 void Linkage::read_link(std::size_t i) {
@@ -169,9 +172,10 @@ void Linkage::propagate(const Twist& base, Twist LinkState::*out) {
         const Hinge& hinge = hinges_[i];
         const Twist& parent = states_[links_[i].parent].*out;
         Twist& own = states_[i].*out;
-        own.angular = parent.angular + hinge.rate * hinge.a + hinge.mend_angular;
+        own.angular =
+            parent.angular + hinge.rate * hinge.a + hinge.mend_angular + hinge.yield_angular;
         own.linear = parent.linear + parent.angular.cross(hinge.r_parent) -
-                     own.angular.cross(hinge.r) + hinge.mend_linear;
+                     own.angular.cross(hinge.r) + hinge.mend_linear + hinge.yield_linear;
     }
 }
 
@@ -179,7 +183,7 @@ void Linkage::carry_to_base() {
     for (std::size_t i = links_.size() - 1; i > 0; --i) carried_[links_[i].parent] += carried_[i];
 }
 
-void Linkage::add_to_system(double* matrix, std::size_t stride, double* right) const {
+void Linkage::add_inertia(double* matrix, std::size_t stride) const {
     const std::size_t at = column;
     const auto entry = [&](std::size_t r, std::size_t c) -> double& {
         return matrix[(at + r) * stride + at + c];
@@ -200,8 +204,6 @@ void Linkage::add_to_system(double* matrix, std::size_t stride, double* right) c
             entry(3 + k, j) += crossed[other];
             if (j <= k) entry(3 + k, 3 + j) += all.inertia(axis, other);
         }
-        right[at + k] += carried_[0].linear[axis];
-        right[at + 3 + k] += carried_[0].angular[axis];
     }
     for (std::size_t n = 0; n < released_.size(); ++n) {
         const std::size_t j = released_[n];
@@ -217,8 +219,20 @@ void Linkage::add_to_system(double* matrix, std::size_t stride, double* right) c
             if ((links_[j].path >> released_[m] & 1) == 0) continue;
             entry(6 + n, 6 + m) += other.a.dot(unit.angular - other.c.cross(unit.linear));
         }
+    }
+}
+
+void Linkage::add_momentum(double* right) const {
+    double* own = right + column;
+    for (int k = 0; k < 3; ++k) {
+        own[k] += carried_[0].linear[k];
+        own[3 + k] += carried_[0].angular[k];
+    }
+    for (std::size_t n = 0; n < released_.size(); ++n) {
+        const std::size_t j = released_[n];
+        const Hinge& hinge = hinges_[j];
         const double bound = hinge.grasp == Grasp::AtLow ? hinge.low : hinge.high;
-        right[at + 6 + n] +=
+        own[6 + n] +=
             hinge.a.dot(carried_[j].angular - hinge.c.cross(carried_[j].linear)) + h * bound;
     }
 }
@@ -286,6 +300,17 @@ bool Linkage::release_hinges(bool one_only) {
     }
     set_bias();
     return true;
+}
+
+void Linkage::yield_to_forces() {
+    for (std::size_t i = 1; i < links_.size(); ++i) {
+        Hinge& hinge = hinges_[i];
+        const Wrench& carried = carried_[i];
+        const Vec3 moment = carried.angular - hinge.c.cross(carried.linear);
+        hinge.yield_linear = -settings_.cfm / h * carried.linear;
+        hinge.yield_angular = -settings_.cfm / h * (moment - hinge.a.dot(moment) * hinge.a);
+    }
+    set_bias();
 }
 
 void Linkage::write() const {

@@ -94,9 +94,10 @@ class Linkage {
 
     // The unknowns: base twist, then the rates of released hinges.
     std::size_t columns() const { return 6 + released_.size(); }
-    /// Adds the inertia to the lower triangle of `matrix` (rows of `stride`) and the momentum that
-    /// the unknowns must carry to `right`, both from `column` on.
-    void add_to_system(double* matrix, std::size_t stride, double* right) const;
+    /// Adds the inertia to the lower triangle of `matrix` (rows of `stride`), from `column` on.
+    void add_inertia(double* matrix, std::size_t stride) const;
+    /// Adds the momentum that the unknowns must carry, from `column` on.
+    void add_momentum(double* right) const;
     /// Row of the velocity along `direction` of the point at `offset` from the base on a link.
     void jacobian(std::size_t link, const Vec3& offset, const Vec3& direction, double* row) const;
 
@@ -111,6 +112,9 @@ class Linkage {
     /// Finds the hinges' torques and moves hinges between held and released where bounds ask for
     /// it: all that must, or `one_only`. True if one moved: the system is to be solved again.
     bool release_hinges(bool one_only);
+    /// Lets the hinges yield to the forces that release_hinges() found in them. The system is to be
+    /// solved again.
+    void yield_to_forces();
 
     std::size_t island = 0;  ///< label while islands are gathered
     std::size_t column = 0;  ///< where its unknowns begin in the system of its island

@@ -57,6 +57,7 @@ Linkage::Linkage(const Mechanism& mechanism, const Settings& settings)
     }
     states_.resize(count);
     below_.resize(count);
+    missing_.resize(count);
     carried_.resize(count);
     for (std::size_t i = 0; i < count; ++i) places_.push_back({this, i});
     for (std::size_t i = 0; i < count; ++i) dBodySetData(links_[i].body, &places_[i]);
@@ -161,9 +162,9 @@ void Linkage::set_bias() {
         const LinkState& state = states_[i];
         const Vec3 linear = state.free_momentum - links_[i].mass * state.bias.linear;
         const Vec3 spin = state.free_spin - state.inertia * state.bias.angular;
-        carried_[i] = {linear, spin + state.offset.cross(linear)};
+        missing_[i] = {linear, spin + state.offset.cross(linear)};
     }
-    carry_to_base();
+    sum_to_base(missing_);
 }
 
 void Linkage::propagate(const Twist& base, Twist LinkState::*out) {
@@ -179,8 +180,8 @@ void Linkage::propagate(const Twist& base, Twist LinkState::*out) {
     }
 }
 
-void Linkage::carry_to_base() {
-    for (std::size_t i = links_.size() - 1; i > 0; --i) carried_[links_[i].parent] += carried_[i];
+void Linkage::sum_to_base(std::vector<Wrench>& wrenches) const {
+    for (std::size_t i = links_.size() - 1; i > 0; --i) wrenches[links_[i].parent] += wrenches[i];
 }
 
 void Linkage::add_inertia(double* matrix, std::size_t stride) const {
@@ -225,15 +226,15 @@ void Linkage::add_inertia(double* matrix, std::size_t stride) const {
 void Linkage::add_momentum(double* right) const {
     double* own = right + column;
     for (int k = 0; k < 3; ++k) {
-        own[k] += carried_[0].linear[k];
-        own[3 + k] += carried_[0].angular[k];
+        own[k] += missing_[0].linear[k];
+        own[3 + k] += missing_[0].angular[k];
     }
     for (std::size_t n = 0; n < released_.size(); ++n) {
         const std::size_t j = released_[n];
         const Hinge& hinge = hinges_[j];
         const double bound = hinge.grasp == Grasp::AtLow ? hinge.low : hinge.high;
         own[6 + n] +=
-            hinge.a.dot(carried_[j].angular - hinge.c.cross(carried_[j].linear)) + h * bound;
+            hinge.a.dot(missing_[j].angular - hinge.c.cross(missing_[j].linear)) + h * bound;
     }
 }
 
@@ -279,6 +280,7 @@ void Linkage::push(std::size_t link, const Vec3& offset, const Vec3& impulse) {
 }
 
 bool Linkage::release_hinges(bool one_only) {
+    carried_[0] = {};
     for (std::size_t i = 1; i < links_.size(); ++i) {
         const LinkState& state = states_[i];
         const Vec3 linear = links_[i].mass * state.twist.linear - state.free_momentum;
@@ -286,7 +288,7 @@ bool Linkage::release_hinges(bool one_only) {
         carried_[i] = {linear - state.push.linear,
                        spin + state.offset.cross(linear) - state.push.angular};
     }
-    carry_to_base();
+    sum_to_base(carried_);
     bool moved = false;
     for (std::size_t i = 1; i < links_.size() && !(moved && one_only); ++i) {
         Hinge& hinge = hinges_[i];

@@ -127,7 +127,7 @@ class Linkage {
     void set_bias();
     /// Twists of all links from that of the base and the hinges' rates.
     void propagate(const Twist& base, Twist LinkState::*out);
-    void carry_to_base();
+    void sum_to_base(std::vector<Wrench>& wrenches) const;
 
     Settings settings_;
     double linear_drag_, angular_drag_;
@@ -138,7 +138,8 @@ class Linkage {
     std::vector<std::size_t> released_;
     // Of the subtree that begins with each link.
     std::vector<Composite> below_;
-    std::vector<Wrench> carried_;  ///< momentum to gain, or impulse to transmit
+    std::vector<Wrench> missing_;  ///< momentum that bias leaves for the unknowns to carry
+    std::vector<Wrench> carried_;  ///< impulse that the hinge above must transmit
 };
 
 }  // namespace k3d::server::physics::fast

@@ -11,16 +11,6 @@
 
 namespace k3d::server {
 
-void Simulation::accept_agent(std::unique_ptr<net::Connection> accepted) {
-    // Strangers may come and go by the thousand while a cycle waits.
-    std::erase_if(agents_, [this](const auto& agent) {
-        const bool gone = agent->connection->spent() && !agent->seat && !agent->player;
-        if (gone && !agent->lost) say_left(*agent, agent->connection->close_reason());
-        return gone;
-    });
-    agents_.push_back(std::make_unique<session::AgentSession>(std::move(accepted)));
-}
-
 void Simulation::say_left(const session::AgentSession& agent, const std::string& why) {
     const auto level = agent.connection->broke_limit() ? spdlog::level::warn : spdlog::level::info;
     if (agent.seat) {
@@ -28,6 +18,36 @@ void Simulation::say_left(const session::AgentSession& agent, const std::string&
     } else {
         notices_.say(level, "{} left: {}", agent.name(), why);
     }
+}
+
+void Simulation::accept_agent(std::unique_ptr<net::Connection> accepted) {
+    // Strangers may come and go by the thousand while a cycle waits.
+    std::erase_if(agents_, [this](const auto& agent) {
+        const bool gone = agent->connection->spent() && !agent->seat && !agent->player;
+        if (gone && !agent->lost) {
+            say_left(*agent, agent->connection->close_reason());
+            if (recorder_) recorder_->left(agent->number, agent->connection->close_reason());
+        }
+        return gone;
+    });
+    const int number = next_connection_++;
+    if (recorder_) {
+        const std::string peer = accepted->peer();
+        accepted = recorder_->tap(std::move(accepted),
+                                  {number, recording::Port::Agent, false, peer});
+    }
+    agents_.push_back(std::make_unique<session::AgentSession>(std::move(accepted), number));
+}
+
+void Simulation::accept_monitor(std::unique_ptr<net::Connection> accepted) {
+    const int number = next_connection_++;
+    const std::string peer = accepted->peer();
+    const bool commands = session::may_command(config_.network.trainers, peer);
+    if (recorder_) {
+        accepted = recorder_->tap(std::move(accepted),
+                                  {number, recording::Port::Monitor, commands, peer});
+    }
+    monitors_.accept(std::move(accepted), number, commands);
 }
 
 bool Simulation::everybody_synced() {
@@ -43,7 +63,7 @@ void Simulation::drop_closed_agents() {
     const auto now = net::Clock::now();
     for (const auto& agent : agents_) {
         const std::chrono::duration<double> age = now - agent->since;
-        if (!agent->seat && age.count() > config_.network.handshake) {
+        if (replayed_ == nullptr && !agent->seat && age.count() > config_.network.handshake) {
             agent->connection->close(fmt::format("no seat after {:.0f} s, limit {:g} s",
                                                  age.count(), config_.network.handshake));
         }
@@ -57,6 +77,7 @@ void Simulation::drop_closed_agents() {
 void Simulation::lose(session::AgentSession& agent, const std::string& why) {
     const std::string name = agent.name();
     say_left(agent, why);
+    if (recorder_) recorder_->left(agent.number, why);
     agent.connection->close(why);
     agent.lost = true;
     if (agent.seat) teams_.release(*agent.seat);

@@ -33,21 +33,29 @@ void Simulation::run_cycle() {
 }
 
 void Simulation::read_commands() {
-    pacer_.wait_for_clock(loop_);
-    if (pacer_.waits_for_agents() &&
-        !pacer_.wait_for_agents(loop_, [this] { return everybody_synced(); })) {
-        for (const auto& agent : agents_) {
-            if (agent->waited_for() && !agent->synced) lose(*agent, "hung");
-        }
-        if (serves_monitors()) monitors_.close_hung();
+    if (replayed_ != nullptr) {
+        replay_inputs();
+    } else {
+        await_inputs();
     }
     drop_closed_agents();
     for (const auto& agent : agents_) {
         agent->read_frames(notices_);
         act(*agent);
     }
-    agent_listener_.begin_cycle();
-    monitor_listener_.begin_cycle();
+    begin_input_cycle();
+}
+
+void Simulation::await_inputs() {
+    pacer_.wait_for_clock(loop_);
+    if (!pacer_.waits_for_agents() ||
+        pacer_.wait_for_agents(loop_, [this] { return everybody_synced(); })) {
+        return;
+    }
+    for (const auto& agent : agents_) {
+        if (agent->waited_for() && !agent->synced) lose(*agent, "hung");
+    }
+    if (serves_monitors()) monitors_.close_hung();
 }
 
 void Simulation::send_percepts() {

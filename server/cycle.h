@@ -16,6 +16,8 @@
 #include "server/game/game.h"
 #include "server/monitor/frames.h"
 #include "server/recording/monitor_log.h"
+#include "server/recording/recorder.h"
+#include "server/recording/replay.h"
 #include "server/session/agent_session.h"
 #include "server/session/monitors.h"
 #include "server/session/pacer.h"
@@ -27,6 +29,15 @@ namespace k3d::server {
 /// How a run ended.
 enum class Outcome { Done, AgentLost, Stopped };
 
+/// How far a replay came.
+struct ReplayOutcome {
+    std::int64_t steps = 0;    ///< that were the same
+    Cycle reached;             ///< the clock after the last step
+    int episode = 1;
+    bool differs = false;      ///< the last step did
+    bool ended_early = false;  ///< the simulation ended before the recording did
+};
+
 /// Agents see GameOver for this long before the episode's processes are let go.
 inline constexpr int kGameOverCycles = 10;
 
@@ -34,24 +45,35 @@ inline constexpr int kGameOverCycles = 10;
 struct Files {
     std::string results;      ///< receives one line per keepaway episode
     std::string monitor_log;  ///< for monitors to play
+    std::string record;       ///< for `replay` to re-simulate
     std::string web_folder;   ///< of the page
 };
 
 class Simulation {
   public:
-    /// Opens all ports and files. Throws net::NetError, std::runtime_error.
+    /// Opens all files. Throws std::runtime_error.
     Simulation(const Config& config, const Files& files);
 
-    /// "ready agent=40123 monitor=40124 http=40125"
-    std::string ready_line() const;
+    /// Opens all ports. Throws net::NetError. "ready agent=40123 monitor=40124 http=40125"
+    std::string open_ports();
 
     /// Runs cycles until the game's episodes are over, a trainer ends it, or `stop` is set.
     Outcome run(const volatile int& stop);
 
+    /// Instead: re-simulates a recording, without sockets, up to the first cycle that differs.
+    /// Throws recording::RecordError where the recording is damaged.
+    void replay(recording::Replay& recording, ReplayOutcome& outcome);
+
   private:
+    void step();
+    std::uint64_t state_digest() const;
+
     // One frame (cycle.cpp).
     void run_cycle();
     void read_commands();
+    void await_inputs();
+    void replay_inputs();
+    void begin_input_cycle();
     void send_percepts();
     void carry_out_stored_commands();
     void obey_trainers();
@@ -67,6 +89,7 @@ class Simulation {
     // Agents and seats (agents.cpp).
     void accept_agent(std::unique_ptr<net::Connection> accepted);
     void say_left(const session::AgentSession& agent, const std::string& why);
+    void accept_monitor(std::unique_ptr<net::Connection> accepted);
     bool everybody_synced();
     void drop_closed_agents();
     void lose(session::AgentSession& agent, const std::string& why);
@@ -81,6 +104,7 @@ class Simulation {
     // Keepaway's way from lobby to result (episode.cpp).
     bool in_lobby() const { return lobby_; }
     void lobby_cycle();
+    void await_lobby_inputs();
     void obey_trainers_in_lobby();
     void begin_episode();
     void begin_percepts(session::AgentSession& agent);
@@ -91,13 +115,14 @@ class Simulation {
     Files files_;
     net::Loop loop_;
     log::Limiter notices_;  ///< what strangers do
+    std::optional<recording::Recorder> recorder_;
+    recording::ReplayStep* replayed_ = nullptr;  ///< inputs of this step; null in a live run
     session::Pacer pacer_;
     std::vector<std::unique_ptr<session::AgentSession>> agents_;  ///< by (team, number) once seated
     session::Teams teams_;
     session::Monitors monitors_;
     int next_connection_ = 1;  ///< number of the next connection to either port
-    net::Listener agent_listener_;
-    net::Listener monitor_listener_;
+    std::optional<net::Listener> agent_listener_, monitor_listener_;  ///< once ports are open
     monitor::SceneGraph graph_;
     monitor::Frames frames_;
     std::optional<recording::MonitorLog> monitor_log_;

@@ -6,6 +6,7 @@
 #include <fstream>
 #include <tuple>
 
+#include "common/config/config.h"
 #include "common/log/log.h"
 #include "common/version/version.h"
 #include "server/cycle.h"
@@ -48,69 +49,77 @@ Simulation::Simulation(const Config& config, const Files& files)
              is_keepaway(config) || !config.soccer.type_quotas
                  ? std::nullopt
                  : std::optional(session::TypeQuotas{})),
-      monitors_(pacer_.waits_for_agents()),
-      agent_listener_(
-          loop_, config.network.listen, port(config.network.agent_port),
-          [this](std::unique_ptr<net::Connection> accepted) { accept_agent(std::move(accepted)); },
-          config.network.agent_limits(),
-          [this](const std::string& peer, const std::string& why) {
-              notices_.say(spdlog::level::warn, "agent at {} refused: {}", peer, why);
-          }),
-      monitor_listener_(
-          loop_, config.network.listen, port(config.network.server_port),
-          [this](std::unique_ptr<net::Connection> accepted) {
-              const bool commands =
-                  session::may_command(config_.network.trainers, accepted->peer());
-              monitors_.accept(std::move(accepted), next_connection_++, commands);
-          },
-          config.network.trainer_limits(),
-          [this](const std::string& peer, const std::string& why) {
-              notices_.say(spdlog::level::warn, "monitor at {} refused: {}", peer, why);
-          }),
+      monitors_(pacer_.waits_for_agents(),
+                [this](int number) {
+                    if (recorder_) recorder_->left(number, "left");
+                }),
       scene_(std::make_unique<body::Scene>(config.physics.kind())),
       game_(game::Soccer(config.soccer)),
       lobby_(has_lobby(config)),
       lobby_since_(net::Clock::now()) {
-    if (config.network.http_port >= 0) {
-        viewer_.emplace(loop_, config.network.listen, port(config.network.http_port),
-                        files.web_folder);
-    }
     if (!files.monitor_log.empty()) monitor_log_.emplace(files.monitor_log, config.monitor);
+    if (!files.record.empty()) {
+        const std::string text = config::print(config::describing(config_));
+        recorder_.emplace(files.record, recording::Header{std::string(code_version()), text});
+    }
     if (lobby_) clock_.count = kLobbyPercepts;
 }
 
-std::string Simulation::ready_line() const {
+std::string Simulation::open_ports() {
+    const NetworkConfig& network = config_.network;
+    agent_listener_.emplace(
+        loop_, network.listen, port(network.agent_port),
+        [this](std::unique_ptr<net::Connection> accepted) { accept_agent(std::move(accepted)); },
+        network.agent_limits(),
+        [this](const std::string& peer, const std::string& why) {
+            notices_.say(spdlog::level::warn, "agent at {} refused: {}", peer, why);
+        });
+    monitor_listener_.emplace(
+        loop_, network.listen, port(network.server_port),
+        [this](std::unique_ptr<net::Connection> accepted) { accept_monitor(std::move(accepted)); },
+        network.trainer_limits(),
+        [this](const std::string& peer, const std::string& why) {
+            notices_.say(spdlog::level::warn, "monitor at {} refused: {}", peer, why);
+        });
+    if (network.http_port >= 0) {
+        viewer_.emplace(loop_, network.listen, port(network.http_port), files_.web_folder);
+    }
     std::string line =
-        fmt::format("ready agent={} monitor={}", agent_listener_.port(), monitor_listener_.port());
+        fmt::format("ready agent={} monitor={}", agent_listener_->port(), monitor_listener_->port());
     if (viewer_) line += fmt::format(" http={}", viewer_->port());
     return line;
 }
 
 Outcome Simulation::run(const volatile int& stop) {
-    while (!end_) {
-        if (stop != 0) return Outcome::Stopped;
-        if (in_lobby()) {
-            lobby_cycle();
-        } else {
-            run_cycle();
-        }
-    }
+    while (!end_ && stop == 0) step();
+    if (!end_) outcome_ = Outcome::Stopped;
+    if (recorder_) recorder_->end(static_cast<int>(outcome_));
     return outcome_;
 }
 
+void Simulation::step() {
+    if (in_lobby()) {
+        lobby_cycle();
+    } else {
+        run_cycle();
+    }
+    if (recorder_) recorder_->end_step(state_digest());
+}
+
+std::uint64_t Simulation::state_digest() const {
+    return recording::digest(hash_, clock_, game::state(game_));
+}
+
 void Simulation::lobby_cycle() {
-    loop_.wait(net::Clock::now() + kLobbyPoll, [this] {
-        return std::any_of(agents_.begin(), agents_.end(), [this](const auto& agent) {
-            agent->read_frames(notices_);
-            const bool robot = agent->type || agent->commands.scene;
-            return robot && agent->frames > 0 && agent->percepts_sent < kLobbyPercepts;
-        });
-    });
+    if (replayed_ != nullptr) {
+        replay_inputs();
+    } else {
+        await_lobby_inputs();
+    }
     drop_closed_agents();
     if (net::Clock::now() >= lobby_cycle_) {
         lobby_cycle_ = net::Clock::now() + kLobbyPoll;
-        agent_listener_.begin_cycle();
-        monitor_listener_.begin_cycle();
+        begin_input_cycle();
     }
     obey_trainers_in_lobby();
     static const game::GameState kWaiting;
@@ -136,6 +145,21 @@ void Simulation::lobby_cycle() {
     show();
 }
 
+void Simulation::await_lobby_inputs() {
+    loop_.wait(net::Clock::now() + kLobbyPoll, [this] {
+        return std::any_of(agents_.begin(), agents_.end(), [this](const auto& agent) {
+            agent->read_frames(notices_);
+            const bool robot = agent->type || agent->commands.scene;
+            return robot && agent->frames > 0 && agent->percepts_sent < kLobbyPercepts;
+        });
+    });
+}
+
+void Simulation::begin_input_cycle() {
+    if (agent_listener_) agent_listener_->begin_cycle();
+    if (monitor_listener_) monitor_listener_->begin_cycle();
+}
+
 void Simulation::obey_trainers_in_lobby() {
     monitors_.read();
     for (const wire::TrainerCommand& command : monitors_.take_commands()) {
@@ -150,6 +174,7 @@ void Simulation::obey_trainers_in_lobby() {
 }
 
 void Simulation::check_lobby_deadline() {
+    if (replayed_ != nullptr) return;
     const std::chrono::duration<double> waited = net::Clock::now() - lobby_since_;
     if (config_.pace.lobby <= 0.0 || waited.count() < config_.pace.lobby) return;
     spdlog::error("no match after {:.0f} s: waiting for {}", waited.count(),

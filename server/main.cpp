@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // k3d-server: command line to configuration, and the run.
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
 
 #include <csignal>
 #include <iostream>
@@ -17,11 +18,14 @@ namespace {
 volatile std::sig_atomic_t stop_requested = 0;
 
 constexpr int kExitAgentLost = 3;
+constexpr int kExitDiffers = 4;
+constexpr int kExitDamaged = 5;
 
 /// What the command line asks for beyond the configuration.
 struct Options {
     k3d::config::CommandLine line;
     k3d::server::Files files;
+    std::string replayed;  ///< recording; empty: a live run
 };
 
 /// Flags that are short names of configuration paths.
@@ -69,6 +73,8 @@ void add_flags(CLI::App& app, Options& options) {
     app.add_option("--results", options.files.results, "file to append one JSON line per episode to");
     app.add_option("--monitor-log", options.files.monitor_log,
                    "file to write the match to, for monitors to play");
+    app.add_option("--record", options.files.record,
+                   "file to write everything that comes in to, for `replay`");
     app.add_option("--web-folder", options.files.web_folder, "folder of the page (default ../web)");
 }
 
@@ -82,12 +88,67 @@ int run(const Options& options) {
         files.web_folder = k3d::server::viewer::web_folder_beside_program();
     }
     k3d::server::Simulation simulation(config, files);
+    const std::string ready = simulation.open_ports();
     std::signal(SIGINT, [](int) { stop_requested = 1; });
     std::signal(SIGTERM, [](int) { stop_requested = 1; });
     std::signal(SIGPIPE, SIG_IGN);
-    std::cout << simulation.ready_line() << std::endl;
+    std::cout << ready << std::endl;
     const k3d::server::Outcome outcome = simulation.run(stop_requested);
     return outcome == k3d::server::Outcome::AgentLost ? kExitAgentLost : 0;
+}
+
+/// What `replay` found, in one line; the exit code.
+int report(const std::string& file, const k3d::server::ReplayOutcome& outcome, bool complete) {
+    const std::string place =
+        fmt::format("cycle {} ({:.2f} s, episode {})", outcome.reached.count,
+                    outcome.reached.seconds(), outcome.episode);
+    if (outcome.differs) {
+        std::cout << fmt::format("{}: {} differs from what was recorded\n", file, place);
+        return kExitDiffers;
+    }
+    if (outcome.ended_early) {
+        std::cout << fmt::format("{}: the run ends at {}, what was recorded goes on\n", file, place);
+        return kExitDiffers;
+    }
+    std::cout << fmt::format("{}: all {} steps up to {} replay equal{}\n", file, outcome.steps, place,
+                             complete ? "" : "; the recording has no end, its server was killed");
+    return 0;
+}
+
+int replay(const Options& options) {
+    k3d::log::start("k3d-server", options.line.log_level);
+    const std::string& file = options.replayed;
+    k3d::server::ReplayOutcome outcome;
+    try {
+        k3d::server::recording::Replay recording(file);
+        const auto& header = recording.header();
+        if (header.code_version != k3d::code_version()) {
+            std::cout << fmt::format("{}: recorded by {}, replayed by {}\n", file,
+                                     header.code_version, k3d::code_version());
+        }
+        k3d::server::Config config;
+        k3d::config::load_text(k3d::config::describing(config), header.config,
+                               "configuration in " + file);
+        k3d::server::Simulation simulation(config, options.files);
+        simulation.replay(recording, outcome);
+        return report(file, outcome, recording.complete());
+    } catch (const k3d::server::recording::RecordError& error) {
+        std::cerr << fmt::format("k3d-server: {} (the {} steps before it replay equal)\n",
+                                 error.what(), outcome.steps);
+        return kExitDamaged;
+    }
+}
+
+void add_replay(CLI::App& app, Options& options) {
+    CLI::App* command = app.add_subcommand(
+        "replay", "re-simulates a recording and names the first cycle that differs");
+    command->add_option("file", options.replayed, "what --record wrote")->required();
+    command->add_option("--results", options.files.results,
+                        "file to append one JSON line per episode to");
+    command->add_option("--monitor-log", options.files.monitor_log,
+                        "file to write the match to, for monitors to play");
+    command->add_option("--log-level", options.line.log_level,
+                        "trace, debug, info, warning, error or off");
 }
 
 }  // namespace
@@ -97,5 +158,8 @@ int main(int argc, char** argv) {
     app.set_version_flag("--version", std::string(k3d::code_version()));
     Options options;
     add_flags(app, options);
-    return k3d::config::run_program(app, argc, argv, "k3d-server", [&] { return run(options); });
+    add_replay(app, options);
+    return k3d::config::run_program(app, argc, argv, "k3d-server", [&] {
+        return options.replayed.empty() ? run(options) : replay(options);
+    });
 }

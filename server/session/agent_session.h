@@ -24,10 +24,11 @@ struct Seat {
 };
 
 struct AgentSession {
-    explicit AgentSession(std::unique_ptr<net::Connection> accepted)
-        : connection(std::move(accepted)) {}
+    AgentSession(std::unique_ptr<net::Connection> accepted, int connection_number)
+        : connection(std::move(accepted)), number(connection_number) {}
 
     std::unique_ptr<net::Connection> connection;
+    int number;                       ///< of the connection, over both ports
     net::Clock::time_point since = net::Clock::now();  ///< connected
     wire::Commands commands;          ///< of this cycle; scene and init stay until carried out
     std::optional<int> type;          ///< robot type, once `scene` was read

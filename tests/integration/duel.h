@@ -29,7 +29,7 @@ using Script = std::map<int, std::string>;
 /// Ends the game 24 cycles after its start: the ball leaves the area.
 inline const Script kBallOut{{2, "(playMode PlayOn)"}, {12, "(ball (pos 8 0 0.042))"}};
 
-/// Plays until the server ends; the EpisodeResult.
+/// Plays on a server with these flags until it ends; the EpisodeResult.
 inline episode::Result play_duel(std::vector<std::string> flags, const Script& script,
                                  const std::string& name) {
     const std::filesystem::path results =

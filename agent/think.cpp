@@ -17,7 +17,7 @@ skills::KickGeometry kick_geometry(const kick::Config& config) {
                 return kick::stand_pose_near(config, self, ball, yaw);
             },
             [config](const motion::Kick& wish) { return kick::kick_possible(config, wish); },
-            [config](double wanted) { return config.swing_for(wanted).reach_m; }};
+            [config](double wanted) { return config.reach_for(wanted); }};
 }
 
 decision::PlayerSettings player_settings(const Config& c, const std::string& entity) {

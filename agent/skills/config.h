@@ -10,13 +10,13 @@ namespace k3d::agent::skills {
 
 struct SkillConfig {
     // Speeds asked of the walk; the walk engine has the last word.
-    double forward_speed = 0.7;
-    double backward_speed = 0.3;
-    double side_speed = 0.25;
-    double turn_rate = 1.2;
-    double gain = 1.6;
-    double turn_gain = 2.0;
-    double near_distance = 0.6;
+    double forward_speed = 0.85;
+    double backward_speed = 0.45;
+    double side_speed = 0.33;
+    double turn_rate = 2.2;
+    double gain = 4.0;
+    double turn_gain = 3.0;
+    double near_distance = 0.4;
     double arrive_distance = 0.12;
     double leave_distance = 0.3;
     double arrive_angle = 0.2;

@@ -61,7 +61,11 @@ bool PassWatch::update(const world::Beliefs& b, const TakerConfig& c) {
 }
 
 Taker::Taker(const TakerConfig& config, const skills::SkillConfig& skills, RandomStream choices)
-    : greedy_(config.strategy == "greedy"), config_(config), skills_(skills), choices_(choices) {}
+    : greedy_(config.strategy == "greedy"), config_(config), skills_(skills), choices_(choices) {
+    skills_.forward_speed = config.forward_speed;
+    skills_.turn_rate = config.turn_rate;
+    skills_.turn_gain = config.turn_gain;
+}
 
 Decision Taker::decide(const world::Beliefs& b, const motion::State& body) {
     Decision d;

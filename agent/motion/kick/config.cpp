@@ -2,6 +2,7 @@
 // The tuned kick; what it reached is noted in agent/config/kick.toml.
 #include "agent/motion/kick/config.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace k3d::agent::kick {
@@ -14,7 +15,7 @@ Config::Config() {
     reach_sideways = 0.03;
     reach_direction_deg = 12;
 
-    far.reach_m = 5.9;
+    far.reach_m = 5.8;
     far.duration_s = {0.24, 0.02, 0.02, 0.02, 0.18};
     far.kicking.hip_yaw_pitch_deg = {-0.1, -20, -1.3, 0, 0};
     far.kicking.hip_roll_deg = {-15.5, -38.8, -7.5, 14.6, -0.3};
@@ -47,8 +48,15 @@ Config::Config() {
     near.stand_s = 0.32;
 }
 
-const Swing& Config::swing_for(double distance) const {
-    return std::abs(distance - near.reach_m) < std::abs(distance - far.reach_m) ? near : far;
+double Config::far_share(double distance) const {
+    if (distance >= far.reach_m) return 1.0;
+    if (distance <= near.reach_m) return 0.0;
+    // Measured: the first steps from near to far bring the most.
+    return 1.0 - std::sqrt((far.reach_m - distance) / (far.reach_m - near.reach_m));
+}
+
+double Config::reach_for(double distance) const {
+    return std::max(std::min(distance, far.reach_m), near.reach_m);
 }
 
 }  // namespace k3d::agent::kick

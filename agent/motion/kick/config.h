@@ -66,8 +66,10 @@ struct Config {
 
     Config();  ///< the tuned values
 
-    /// The swing whose reach is nearer to `distance`.
-    const Swing& swing_for(double distance) const;
+    /// How the swing for `distance` is mixed: 0 is near, 1 is far.
+    double far_share(double distance) const;
+    /// How far the ball goes when `distance` is wanted.
+    double reach_for(double distance) const;
 
     void describe(config::Fields& f) {
         f.number("ball_forward", ball_forward, {0.0, 0.5}, "m",

@@ -28,25 +28,35 @@ int cycles_of(double seconds) {
     return std::max(1, static_cast<int>(std::lround(seconds / kCycleSeconds)));
 }
 
+std::array<double, 6> angles_deg(const LegFrames& leg, std::size_t k) {
+    return {leg.hip_yaw_pitch_deg[k], leg.hip_roll_deg[k],    leg.hip_pitch_deg[k],
+            leg.knee_deg[k],          leg.ankle_pitch_deg[k], leg.ankle_roll_deg[k]};
+}
+
+double mixed(double near, double far, double far_share) {
+    return near + far_share * (far - near);
+}
+
 /// Writes keyframe k of a leg, given for the kick with the right foot, onto the leg `joints`.
-void set_leg(JointArray& pose, const std::array<JointId, 6>& joints, const LegFrames& leg,
-             std::size_t k, bool mirrored) {
-    const std::array<double, 6> angles_deg{leg.hip_yaw_pitch_deg[k], leg.hip_roll_deg[k],
-                                           leg.hip_pitch_deg[k],     leg.knee_deg[k],
-                                           leg.ankle_pitch_deg[k],   leg.ankle_roll_deg[k]};
+void set_leg(JointArray& pose, const std::array<JointId, 6>& joints, const LegFrames& near,
+             const LegFrames& far, std::size_t k, double far_share, bool mirrored) {
+    const std::array<double, 6> near_deg = angles_deg(near, k);
+    const std::array<double, 6> far_deg = angles_deg(far, k);
     for (std::size_t i = 0; i < joints.size(); ++i) {
         const double sign = mirrored && kSignTurns[i] ? -1.0 : 1.0;
-        pose[nao::index(joints[i])] = sign * radians(angles_deg[i]);
+        pose[nao::index(joints[i])] = sign * radians(mixed(near_deg[i], far_deg[i], far_share));
     }
 }
 
 }  // namespace
 
-JointArray KickEngine::pose_of(const Swing& swing, std::size_t k) const {
+JointArray KickEngine::pose_of(double far_share, std::size_t k) const {
     const bool mirrored = foot_ == Foot::Left;
+    const Swing& near = config_.near;
+    const Swing& far = config_.far;
     JointArray pose = stand_;  // the arms stay
-    set_leg(pose, mirrored ? kLeftLeg : kRightLeg, swing.kicking, k, mirrored);
-    set_leg(pose, mirrored ? kRightLeg : kLeftLeg, swing.support, k, mirrored);
+    set_leg(pose, mirrored ? kLeftLeg : kRightLeg, near.kicking, far.kicking, k, far_share, mirrored);
+    set_leg(pose, mirrored ? kRightLeg : kLeftLeg, near.support, far.support, k, far_share, mirrored);
     return pose;
 }
 
@@ -54,11 +64,13 @@ void KickEngine::start(const motion::Kick& kick, const JointArray& stand) {
     foot_ = kicking_foot(config_, kick).value_or(kick.ball.y() > 0.0 ? Foot::Left : Foot::Right);
     stand_ = stand;
     frames_.clear();
-    const Swing& swing = config_.swing_for(kick.distance);
-    for (std::size_t k = 0; k < swing.duration_s.size(); ++k) {
-        frames_.push_back({swing.duration_s[k], pose_of(swing, k)});
+    const double share = config_.far_share(kick.distance);
+    const Swing& near = config_.near;
+    const Swing& far = config_.far;
+    for (std::size_t k = 0; k < far.duration_s.size(); ++k) {
+        frames_.push_back({mixed(near.duration_s[k], far.duration_s[k], share), pose_of(share, k)});
     }
-    frames_.push_back({swing.stand_s, stand_});
+    frames_.push_back({mixed(near.stand_s, far.stand_s, share), stand_});
     frame_ = 0;
     cycle_ = 0;
     calm_cycles_ = 0;

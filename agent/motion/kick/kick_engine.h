@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Kicks a ball that lies within reach of a foot: leans over the other foot, swings, sets the foot
 // down and returns to the stand, all as keyframes (mirrored for the left foot). The distance wanted
-// chooses between a far and a near swing.
+// mixes a far and a near swing, keyframe by keyframe.
 //
 // The motion is open-loop and short, so that it is over before a small error grows; keyframes are
 // found by search in the exact physics (see kick.toml). Radians, seconds, metres.
@@ -33,7 +33,7 @@ class KickEngine {
         nao::JointArray pose;
     };
 
-    nao::JointArray pose_of(const Swing& swing, std::size_t k) const;
+    nao::JointArray pose_of(double far_share, std::size_t k) const;
     bool is_quiet(const motion::Posture& posture);
 
     Config config_;

@@ -18,11 +18,14 @@ void Config::describe(config::Fields& f) {
 
     f.number("combined", combined, {0.5, 4.0}, "",
              "exponent p: the shares of the three top speeds keep (a^p + b^p + c^p) <= 1");
-    f.number("other_types", other_types, {0.1, 1.0}, "",
-             "share of top speeds and accelerations for robot types other than 0, for which the "
-             "values are tuned");
+    f.numbers("type_speed", type_speed, {0.1, 2.0}, "",
+              "by robot type: top speeds and accelerations over those of type 0");
+    f.numbers("type_step_duration", type_step_duration, {0.5, 2.0}, "",
+              "by robot type: step_duration over that of type 0");
     f.number("forward_scale", forward_scale, {0.5, 2.0}, "",
              "speed of the steps over the speed wanted, since feet slip");
+    f.number("forward_slip", forward_slip, {0.0, 0.3}, "m/s",
+             "forward speed that slipping costs, added to the steps below top speed");
     f.number("sideways_scale", sideways_scale, {0.5, 2.0}, "", "the same sideways");
     f.number("turn_scale", turn_scale, {0.5, 2.0}, "", "the same for turning");
     f.number("heading_gain", heading_gain, {0.0, 20.0}, "1/s",

@@ -3,6 +3,8 @@
 // by leg length. Defaults are the tuned values of agent/config/walk.toml.
 #pragma once
 
+#include <vector>
+
 #include "common/config/fields.h"
 
 namespace k3d::agent::motion::walk {
@@ -10,7 +12,7 @@ namespace k3d::agent::motion::walk {
 struct Config {
     // Limits of what may be asked.
     double max_forward = 0.85;
-    double max_backward = 0.58;
+    double max_backward = 0.54;
     double max_sideways = 0.33;
     double max_turn = 2.6;
     double forward_acceleration = 1.2;
@@ -19,12 +21,15 @@ struct Config {
     double braking = 1.2;
 
     double forward_scale = 1.0;
+    double forward_slip = 0.062;
     double sideways_scale = 1.12;
     double turn_scale = 1.0;
     double heading_gain = 3.0;
 
     double combined = 1.0;
-    double other_types = 0.75;
+    // By robot type: top speeds and accelerations, and the time of a step, over those of type 0.
+    std::vector<double> type_speed{1.0, 1.02, 0.9, 1.1, 1.0};
+    std::vector<double> type_step_duration{1.0, 1.0, 1.143, 1.0, 1.0};
 
     // The step.
     double step_duration = 0.14;

@@ -12,6 +12,7 @@ namespace {
 
 using nao::JointId;
 
+constexpr double kFullSlipSpeed = 0.15;     // m/s, about which feet begin to slip fully
 constexpr double kStoppedDistance = 0.012;  // m, feet this close to the stance may just stand
 constexpr double kSteady = 0.08;            // rad, tilt error below which walking may stop
 constexpr double kMaxError = 0.5;           // rad, beyond it the robot falls whatever is done
@@ -36,6 +37,12 @@ double length_of_leg(const kinematics::Leg& leg) {
     return leg.hip().z() - leg.zero_pose().position.z();
 }
 
+/// The values as this type of robot walks with them.
+Config of_type(Config config, int type) {
+    config.step_duration *= config.type_step_duration[static_cast<std::size_t>(type)];
+    return config;
+}
+
 bool is_zero(const Walk& v) {
     return v.forward == 0.0 && v.left == 0.0 && v.turn == 0.0;
 }
@@ -43,14 +50,14 @@ bool is_zero(const Walk& v) {
 }  // namespace
 
 WalkEngine::WalkEngine(const nao::Model& model, const Config& config)
-    : config_(config),
+    : config_(of_type(config, model.type)),
       right_(model, Side::Right),
       left_(model, Side::Left),
       hips_(left_.hip().x(), 0.0, left_.hip().z()),
       leg_length_(length_of_leg(left_)),
       scale_(leg_length_ / length_of_leg(kinematics::Leg(nao::model(0), Side::Left))),
-      share_(model.type == 0 ? 1.0 : config.other_types),
-      steps_(config, left_.hip().y(), scale_) {}
+      share_(config.type_speed[static_cast<std::size_t>(model.type)]),
+      steps_(config_, left_.hip().y(), scale_) {}
 
 void WalkEngine::start(const Walk& wish) {
     velocity_ = {};
@@ -99,10 +106,18 @@ Walk WalkEngine::steered(const Posture& posture) {
                                 -kMaxHeadingError, kMaxHeadingError);
     if (is_zero(velocity_)) heading_error_ = 0.0;  // coming to a stop: no more turning
     Walk velocity = velocity_;
-    velocity.forward *= config_.forward_scale;
+    velocity.forward = forward_steps(velocity.forward);
     velocity.left *= config_.sideways_scale;
     velocity.turn = velocity.turn * config_.turn_scale + config_.heading_gain * heading_error_;
     return velocity;
+}
+
+/// Feet lose about the same speed to slipping at any but the slowest walk forward.
+double WalkEngine::forward_steps(double speed) const {
+    const double scaled = config_.forward_scale * speed;
+    if (speed <= 0.0) return scaled;
+    const double slip = config_.forward_slip * (1.0 - std::exp(-speed / kFullSlipSpeed));
+    return std::max(std::min(scaled + slip, config_.max_forward * share_), scaled);
 }
 
 void WalkEngine::balance(const Posture& posture) {

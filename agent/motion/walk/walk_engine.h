@@ -34,13 +34,14 @@ class WalkEngine {
   private:
     void follow(const Walk& wish);
     Walk steered(const Posture& posture);
+    double forward_steps(double speed) const;
     void balance(const Posture& posture);
     void place_leg(Side side, const Foot& foot, JointTargets& out) const;
     void place_arms(double right_swing, double left_swing, JointTargets& out) const;
     Correction landing_shift() const;
     double lean() const { return config_.lean + config_.lean_gain * velocity_.forward; }
 
-    const Config& config_;
+    const Config config_;
     kinematics::Leg right_, left_;
     Vec3 hips_;          ///< midway between the hips, torso frame
     double leg_length_;  ///< hip to sole, straight

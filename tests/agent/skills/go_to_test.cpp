@@ -40,16 +40,16 @@ TEST(WalkTo, AheadBesideBehind) {
 }
 
 TEST(WalkTo, NearTheGoalInAnyDirectionWithTheFinalHeading) {
-    const motion::Walk side = walk_to({}, {{0.0, 0.1}, 0.3}, {}, kConfig);
+    const motion::Walk side = walk_to({}, {{0.0, 0.05}, 0.3}, {}, kConfig);
     EXPECT_NEAR(side.forward, 0.0, 1e-12);
-    EXPECT_NEAR(side.left, 0.1 * kConfig.gain, 1e-12);
+    EXPECT_NEAR(side.left, 0.05 * kConfig.gain, 1e-12);
     EXPECT_NEAR(side.turn, 0.3 * kConfig.turn_gain, 1e-12);
-    const motion::Walk back = walk_to({}, {{-0.5, 0.0}, 0.0}, {}, kConfig);
+    const motion::Walk back = walk_to({}, {{-0.3, 0.0}, 0.0}, {}, kConfig);
     EXPECT_NEAR(back.forward, -kConfig.backward_speed, 1e-9);
 }
 
 TEST(WalkTo, DiagonalKeepsItsDirectionWithinTheLimits) {
-    const motion::Walk w = walk_to({}, {{0.4, 0.4}, 0.0}, {}, kConfig);
+    const motion::Walk w = walk_to({}, {{0.2, 0.2}, 0.0}, {}, kConfig);
     EXPECT_NEAR(w.forward, w.left, 1e-12);
     EXPECT_LE(w.left, kConfig.side_speed + 1e-12);
 }

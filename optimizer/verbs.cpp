@@ -14,6 +14,7 @@
 #include "optimizer/backend/nats_backend.h"
 #include "optimizer/backend/worker.h"
 #include "optimizer/daemon.h"
+#include "optimizer/report/run_report.h"
 #include "optimizer/report/run_text.h"
 #include "optimizer/run.h"
 
@@ -84,17 +85,18 @@ int go_on(Run run, const Carrier& carrier) {
         return kExitInterrupted;
     }
     std::cout << report::course(run.ledger(), run.ended());
+    progress.say("report: " + report::write_report({run.ledger(), run.experiment(),
+                                                    run.algorithm().champion(), run.ended()},
+                                                   run.folder() + "/report"));
     return 0;
 }
 
-algorithm::Champion champion_in(const ledger::Ledger& ledger, const std::string& folder) {
+/// The algorithm as the ledger last saved it; none before the first generation is closed.
+std::optional<algorithm::Algorithm> algorithm_in(const ledger::Ledger& ledger,
+                                                 const std::string& folder) {
     const auto round = ledger.last_round();
-    if (round) {
-        const auto algorithm =
-            algorithm::Algorithm::restore_text(round->state, ledger_file(folder));
-        if (const auto champion = algorithm.champion()) return *champion;
-    }
-    throw std::runtime_error(folder + " has no champion yet");
+    if (!round) return std::nullopt;
+    return algorithm::Algorithm::restore_text(round->state, ledger_file(folder));
 }
 
 /// What `show` prints beside the course of the run.
@@ -112,29 +114,37 @@ int show(const Look& look) {
         std::cout << report::csv(ledger.rows(), look.canonical);
         return 0;
     }
-    const auto round = ledger.last_round();
     if (look.state) {
+        const auto round = ledger.last_round();
         if (!round) throw std::runtime_error(folder + " has closed no generation yet");
         std::cout << round->state << '\n';
         return 0;
     }
-    std::optional<std::string> ended;
-    if (round) {
-        ended = algorithm::Algorithm::restore_text(round->state, ledger_file(folder)).finished();
-    }
-    std::cout << report::course(ledger, ended);
+    const auto algorithm = algorithm_in(ledger, folder);
+    std::cout << report::course(ledger, algorithm ? algorithm->finished() : std::nullopt);
     return 0;
 }
 
 int best(const std::string& folder) {
     const auto ledger = ledger::Ledger::open(ledger_file(folder), ledger::Ledger::Access::Read);
-    const algorithm::Champion champion = champion_in(ledger, folder);
+    const auto algorithm = algorithm_in(ledger, folder);
+    const auto champion = algorithm ? algorithm->champion() : std::nullopt;
+    if (!champion) throw std::runtime_error(folder + " has no champion yet");
     const ledger::Facts facts = ledger.facts();
-    const std::string origin = fmt::format(
-        "candidate {} of run {}, version {}; fitness {:.4g} +- {:.3g} (se, n {}) on {} seeds",
-        champion.candidate, facts.at("id"), facts.at("code_version"), champion.score.mean,
-        champion.score.se, champion.score.n, champion.validated ? "validation" : "training");
-    std::cout << report::champion_file(experiment_of(facts), champion, origin);
+    std::cout << report::champion_file(experiment_of(facts), *champion,
+                                       report::origin_of(*champion, facts));
+    return 0;
+}
+
+int write_report(const std::string& folder) {
+    const auto ledger = ledger::Ledger::open(ledger_file(folder), ledger::Ledger::Access::Read);
+    const spec::Experiment experiment = experiment_of(ledger.facts());
+    report::RunFacts run{ledger, experiment, {}, {}};
+    if (const auto algorithm = algorithm_in(ledger, folder)) {
+        run.champion = algorithm->champion();
+        run.ended = algorithm->finished();
+    }
+    std::cout << report::write_report(run, folder + "/report") << '\n';
     return 0;
 }
 
@@ -183,6 +193,9 @@ void add_looks(CLI::App& app, std::function<int()>& chosen) {
     verb = app.add_subcommand("best", "prints the champion as k3d-agent takes it: TOML or network");
     verb->add_option("RUN", look->folder, "folder of the run")->required();
     verb->callback([look, &chosen] { chosen = [look] { return best(look->folder); }; });
+    verb = app.add_subcommand("report", "writes RUN/report/report.html and tables; also at a run's end");
+    verb->add_option("RUN", look->folder, "folder of the run")->required();
+    verb->callback([look, &chosen] { chosen = [look] { return write_report(look->folder); }; });
 }
 
 void add_worker(CLI::App& app, std::function<int()>& chosen) {

@@ -74,11 +74,13 @@ std::string generations_table(const std::vector<nlohmann::json>& log) {
     if (log.empty()) return "";
     std::string text;
     const auto columns = columns_of(log);
-    for (const std::string& name : columns) text += fmt::format("{:>12}", name);
+    const auto width = [](const std::string& name) { return std::max<std::size_t>(8, name.size()); };
+    for (const std::string& name : columns) text += fmt::format(" {:>{}}", name, width(name));
     text += '\n';
     for (const nlohmann::json& line : log) {
         for (const std::string& name : columns) {
-            text += fmt::format("{:>12}", line.contains(name) ? number(line[name]) : "");
+            text += fmt::format(" {:>{}}", line.contains(name) ? number(line[name]) : "",
+                                width(name));
         }
         text += '\n';
     }

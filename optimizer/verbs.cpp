@@ -17,6 +17,7 @@
 #include "optimizer/report/run_report.h"
 #include "optimizer/report/run_text.h"
 #include "optimizer/run.h"
+#include "optimizer/spec/words.h"
 
 namespace k3d::optimizer {
 
@@ -30,6 +31,8 @@ struct Carrier {
     int jobs = 1;
     std::string nats;  ///< empty: this machine
     double lease_s = 30.0;
+    int http_port = -1;  ///< below 0: no page
+    std::string listen = "127.0.0.1";
 
     std::string flags() const {
         return nats.empty() ? fmt::format("--jobs {}", jobs) : "--nats " + nats;
@@ -47,6 +50,9 @@ void add_carrier_flags(CLI::App& verb, Carrier& carrier) {
                     "--nats: wall seconds after which an episode whose simulated time stands still "
                     "is given to another worker (default 30)")
         ->check(CLI::Range(1.0, 3600.0));
+    verb.add_option("--http", carrier.http_port, "port of the run's page, 0 = any (default: no page)")
+        ->check(CLI::Range(0, 65535));
+    verb.add_option("--listen", carrier.listen, "address of the page (default 127.0.0.1)");
 }
 
 /// Tries until there is a server, or the user wants to stop; then none.
@@ -77,8 +83,12 @@ int go_on(Run run, const Carrier& carrier) {
     report::RunProgress progress(std::cout, ::isatty(STDOUT_FILENO) == 1);
     progress.say(fmt::format("run {} in {}", run.name(), run.folder()));
     backend::Wakeups wakeups;  // before any thread: all of them leave the signals to it
+    Watch watch(run, progress);
+    if (carrier.http_port >= 0) {
+        watch.serve(carrier.listen, static_cast<std::uint16_t>(carrier.http_port));
+    }
     const auto backend = make_backend(run, carrier, wakeups);
-    const Ended ended = backend ? optimise(run, *backend, wakeups, progress) : Ended::Stopped;
+    const Ended ended = backend ? optimise(run, *backend, wakeups, watch) : Ended::Stopped;
     progress.say(progress.summary());
     if (ended == Ended::Stopped) {
         progress.say("stopped; go on with: k3d-optimizer resume " + run.folder());
@@ -151,18 +161,27 @@ int write_report(const std::string& folder) {
 void add_run(CLI::App& app, std::function<int()>& chosen) {
     struct Flags {
         std::string spec, folder;
+        spec::Overrides overrides;
         Carrier carrier;
     };
     auto flags = std::make_shared<Flags>();
     CLI::App* verb = app.add_subcommand("run", "begins a run of an experiment");
     verb->add_option("SPEC", flags->spec, "the experiment, a TOML file")->required();
     verb->add_option("--run", flags->folder, "folder of the run (default runs/NAME)");
+    verb->add_option("--set", flags->overrides,
+                     "path=value, stronger than the experiment's file, e.g. "
+                     "algorithm.max_generations=2; may be repeated")
+        ->allow_extra_args(false);
     add_carrier_flags(*verb, flags->carrier);
     verb->callback([flags, &chosen] {
         chosen = [flags] {
-            const std::string command =
-                fmt::format("k3d-optimizer run {} {}", flags->spec, flags->carrier.flags());
-            return go_on(Run::begin(flags->spec, flags->folder, command), flags->carrier);
+            std::string command = "k3d-optimizer run " + flags->spec;
+            for (const std::string& text : flags->overrides) {
+                command += " --set " + spec::quote_word(text);
+            }
+            command += " " + flags->carrier.flags();
+            return go_on(Run::begin(flags->spec, flags->overrides, flags->folder, command),
+                         flags->carrier);
         };
     });
 }

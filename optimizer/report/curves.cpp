@@ -64,7 +64,13 @@ std::vector<Trace> traces(const std::map<int, Means>& means, const ledger::Ledge
             for (const auto& [candidate, mean] : candidates) {
                 if (values.contains(candidate)) sample.push_back(values.at(candidate)[i]);
             }
-            if (sample.empty() || !values.contains(best->first)) continue;
+            if (sample.empty() || !values.contains(best->first)) {
+                // Of a generation that is not closed yet.
+                for (auto* column : {&trace.best, &trace.low, &trace.high}) {
+                    column->push_back(std::numeric_limits<double>::quiet_NaN());
+                }
+                continue;
+            }
             trace.best.push_back(values.at(best->first)[i]);
             trace.low.push_back(quantile(sample, 0.1));
             trace.high.push_back(quantile(sample, 0.9));

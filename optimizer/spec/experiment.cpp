@@ -154,7 +154,8 @@ void Experiment::describe(config::Fields& f) {
 }
 
 Experiment parse_experiment(std::string_view toml, const std::string& file,
-                            const AgentFields& fields, const ReadFile& read) {
+                            const AgentFields& fields, const ReadFile& read,
+                            const Overrides& overrides) {
     Experiment e;
     ParameterTree tree(fields);
     const auto describe = [&](config::Fields& f) {
@@ -162,6 +163,13 @@ Experiment parse_experiment(std::string_view toml, const std::string& file,
         f.section("parameters", tree);
     };
     config::load_text(describe, toml, file);
+    for (const std::string& text : overrides) {
+        const auto equals = text.find('=');
+        if (equals == std::string::npos) {
+            throw config::ConfigError(fmt::format("--set '{}' is not path=value", text));
+        }
+        config::set(describe, text.substr(0, equals), text.substr(equals + 1));
+    }
     Faults faults(toml, file);
     e.parameters = chosen(fields, tree, toml, faults);
     check_search(e, faults);

@@ -83,9 +83,13 @@ struct Experiment {
 /// Text of a file that the experiment names; throws std::runtime_error.
 using ReadFile = std::function<std::string(const std::string& name)>;
 
+/// "path=value", each stronger than the file, e.g. algorithm.max_generations=2.
+using Overrides = std::vector<std::string>;
+
 /// Throws config::ConfigError, each fault with file and line, all at once.
 Experiment parse_experiment(std::string_view toml, const std::string& file,
-                            const AgentFields& fields, const ReadFile& read);
+                            const AgentFields& fields, const ReadFile& read,
+                            const Overrides& overrides = {});
 
 /// What the algorithm searches.
 Problem problem_of(const Experiment& experiment);

@@ -114,7 +114,7 @@ std::string course_json(const RunFacts& run) {
         {"description", e.description},
         {"algorithm", e.algorithm.name},
         {"task", e.task.name},
-        {"measure", e.task.fitness.empty() ? fitness::usual_figure(e.task.name) : e.task.fitness},
+        {"measure", fitness::measure(e.task)},
         {"version", facts.at("code_version")},
         {"ended", run.ended ? Json(*run.ended) : Json()},
         {"champion", run.champion ? champion_json(*run.champion, names) : Json()},

@@ -173,8 +173,7 @@ std::string report_html(const RunFacts& run) {
     const auto rows = run.ledger.rows();
     const auto totals = run.ledger.totals();
     const spec::Experiment& e = run.experiment;
-    const std::string measure =
-        e.task.fitness.empty() ? fitness::usual_figure(e.task.name) : e.task.fitness;
+    const std::string measure = fitness::measure(e.task);
     std::string out = fmt::format(
         "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">"
         "<meta name=\"viewport\" content=\"width=device-width\"><title>{0}</title>\n"

@@ -8,6 +8,7 @@
 
 #include "optimizer/spec/parameter_tree.h"
 #include "optimizer/spec/settings.h"
+#include "optimizer/spec/words.h"
 
 namespace k3d::optimizer::spec {
 
@@ -133,6 +134,15 @@ void check_search(const Experiment& e, Faults& faults) {
     const bool all_frozen = std::all_of(e.parameters.begin(), e.parameters.end(),
                                         [](const Parameter& p) { return p.frozen; });
     if (!network && all_frozen) faults.add("parameters", "names nothing that is to be tuned");
+    const bool match = drill_of(e.task.name).empty();
+    if (match && !e.task.drill.empty()) {
+        faults.add("task.drill", "is for drills, but the task is " + e.task.name);
+    }
+    try {
+        split_words(e.task.drill);
+    } catch (const std::invalid_argument& error) {
+        faults.add("task.drill", fmt::format("is no list of settings: {}", error.what()));
+    }
     try {
         parse_settings(e.task.settings);
     } catch (const std::invalid_argument& error) {

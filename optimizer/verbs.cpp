@@ -89,7 +89,7 @@ int go_on(Run run, const Carrier& carrier) {
     }
     const auto backend = make_backend(run, carrier, wakeups);
     const Ended ended = backend ? optimise(run, *backend, wakeups, watch) : Ended::Stopped;
-    progress.say(progress.summary());
+    progress.say(progress.summary() + "; " + progress.overhead());
     if (ended == Ended::Stopped) {
         progress.say("stopped; go on with: k3d-optimizer resume " + run.folder());
         return kExitInterrupted;

@@ -178,13 +178,11 @@ std::string champion_file(const spec::Experiment& experiment, const algorithm::C
         return network::to_json(spec::with_weights(*experiment.start_network, *values)) + "\n";
     }
     std::map<std::string, std::string> sections;
-    for (std::size_t i = 0; i < values->size(); ++i) {
-        const spec::Parameter& p = experiment.parameters.at(i);
-        const auto dot = p.name.rfind('.');
-        std::string& section = sections[dot == std::string::npos ? "" : p.name.substr(0, dot)];
-        const std::string key = dot == std::string::npos ? p.name : p.name.substr(dot + 1);
-        section += p.integer ? fmt::format("{} = {:.0f}\n", key, (*values)[i])
-                             : fmt::format("{} = {}\n", key, (*values)[i]);
+    for (const auto& [path, value] : spec::settings_of(experiment, *values)) {
+        const auto dot = path.rfind('.');
+        std::string& section = sections[dot == std::string::npos ? "" : path.substr(0, dot)];
+        section += fmt::format("{} = {}\n",
+                               dot == std::string::npos ? path : path.substr(dot + 1), value);
     }
     std::string text = "# " + origin + "\n";
     for (const auto& [name, lines] : sections) {

@@ -182,6 +182,7 @@ Experiment parse_experiment(std::string_view toml, const std::string& file,
     }
     Faults faults(toml, file);
     e.parameters = chosen(fields, tree, toml, faults);
+    e.lists = fields.lists;
     check_search(e, faults);
     check_network(e, fields, read, faults);
     faults.throw_if_any();
@@ -201,6 +202,28 @@ Problem problem_of(const Experiment& e) {
     }
     for (const network::Node& node : e.start_network->nodes) add("bias " + node.name, node.bias);
     return weights;
+}
+
+std::vector<std::pair<std::string, std::string>> settings_of(const Experiment& e,
+                                                             const std::vector<double>& values) {
+    std::vector<std::pair<std::string, std::string>> settings;
+    std::map<std::string, std::vector<double>> lists;  // with tuned elements
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        const Parameter& p = e.parameters.at(i);
+        const auto dot = p.name.rfind('.');
+        const auto list = e.lists.find(p.name.substr(0, dot));
+        if (dot != std::string::npos && list != e.lists.end()) {
+            auto& whole = lists.try_emplace(list->first, list->second).first->second;
+            whole.at(std::stoul(p.name.substr(dot + 1))) = values[i];
+        } else {
+            settings.emplace_back(p.name, p.integer ? fmt::format("{:.0f}", values[i])
+                                                    : fmt::format("{}", values[i]));
+        }
+    }
+    for (const auto& [path, whole] : lists) {
+        settings.emplace_back(path, fmt::format("[{}]", fmt::join(whole, ", ")));
+    }
+    return settings;
 }
 
 network::Definition with_weights(const network::Definition& start,

@@ -4,8 +4,8 @@
 
 #include "optimizer/backend/backend.h"
 #include "optimizer/backend/wakeups.h"
-#include "optimizer/report/run_progress.h"
 #include "optimizer/run.h"
+#include "optimizer/watch.h"
 
 namespace k3d::optimizer {
 
@@ -14,6 +14,6 @@ enum class Ended { Done, Stopped };
 /// Goes on with the run to its end, or until SIGINT, SIGTERM or SIGHUP; then it can be resumed.
 /// Throws HopelessRun, LedgerError, and what the backend throws; the ledger is whole all the same.
 Ended optimise(Run& run, backend::Backend& backend, backend::Wakeups& wakeups,
-               report::RunProgress& progress);
+               Watch& watch);
 
 }  // namespace k3d::optimizer

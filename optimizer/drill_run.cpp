@@ -68,10 +68,11 @@ int run(const spec::DrillSpec& spec) {
         http_port = port;
     };
     for (int index = 0; index < spec.runs; ++index) {
-        const std::uint64_t seed = spec.seed + static_cast<std::uint64_t>(index);
+        const int number = spec.first + index;
+        const std::uint64_t seed = spec.seed + static_cast<std::uint64_t>(number);
         const std::string folder = logs.begin({index, seed, 1});
         try {
-            results.push_back(drill::play(spec, index, folder, http_port, tell_page));
+            results.push_back(drill::play(spec, number, folder, http_port, tell_page));
             logs.end(folder, false);
             lines.settle(index, results.back());
         } catch (const std::runtime_error& error) {

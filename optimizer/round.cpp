@@ -14,11 +14,6 @@ namespace k3d::optimizer {
 
 namespace {
 
-std::string setting(const spec::Parameter& parameter, double value) {
-    if (parameter.integer) return fmt::format("{}={:.0f}", parameter.name, value);
-    return fmt::format("{}={}", parameter.name, value);
-}
-
 episode::Key key_of(episode::Phase phase, const algorithm::Request& request, int episode) {
     const bool train = phase == episode::Phase::Train;
     return {phase, train ? request.generation : 0, request.candidate, episode};
@@ -50,8 +45,8 @@ episode::Job JobMaker::job(const std::optional<algorithm::Payload>& payload, epi
             job.network = network::to_json(spec::with_weights(*experiment.start_network, *values));
             return job;
         }
-        for (std::size_t i = 0; i < values->size(); ++i) {
-            job.settings.push_back(setting(experiment.parameters.at(i), (*values)[i]));
+        for (const auto& [path, value] : spec::settings_of(experiment, *values)) {
+            job.settings.push_back(path + "=" + value);
         }
     } else {
         job.network_path = experiment.network.path;

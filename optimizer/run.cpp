@@ -76,7 +76,14 @@ std::string ledger_file(const std::string& folder) {
 spec::Experiment experiment_of(const ledger::Facts& facts) {
     const std::string& toml = fact(facts, "experiment");
     const auto read = [&facts](const std::string&) { return fact(facts, "network"); };
-    return spec::parse_experiment(toml, fact(facts, "file"), fields_for(toml), read);
+    spec::Overrides overrides;
+    try {
+        const auto list = nlohmann::json::parse(fact(facts, "overrides"));
+        overrides = list.get<spec::Overrides>();
+    } catch (const nlohmann::json::exception& error) {
+        throw ledger::LedgerError(std::string("the ledger's overrides: ") + error.what());
+    }
+    return spec::parse_experiment(toml, fact(facts, "file"), fields_for(toml), read, overrides);
 }
 
 Run::Run(std::string folder, std::unique_ptr<ledger::Lock> lock, ledger::Ledger ledger)
@@ -97,8 +104,8 @@ Run::Run(std::string folder, std::unique_ptr<ledger::Lock> lock, ledger::Ledger 
     }
 }
 
-Run Run::begin(const std::string& file, const std::string& wanted_folder,
-               const std::string& command) {
+Run Run::begin(const std::string& file, const spec::Overrides& overrides,
+               const std::string& wanted_folder, const std::string& command) {
     std::string text;
     try {
         text = content(file);
@@ -109,7 +116,7 @@ Run Run::begin(const std::string& file, const std::string& wanted_folder,
     const auto read = [&](const std::string& name) {
         return network = content((fs::path(file).parent_path() / name).string());
     };
-    const spec::Experiment e = spec::parse_experiment(text, file, fields_for(text), read);
+    const spec::Experiment e = spec::parse_experiment(text, file, fields_for(text), read, overrides);
     new_algorithm(e, file);  // to learn of its faults before there is a folder
     const std::string folder = wanted_folder.empty() ? "runs/" + e.name : wanted_folder;
     if (fs::exists(ledger_file(folder))) {
@@ -126,6 +133,7 @@ Run Run::begin(const std::string& file, const std::string& wanted_folder,
                                           {"name", e.name},
                                           {"experiment", text},
                                           {"file", file},
+                                          {"overrides", nlohmann::json(overrides).dump()},
                                           {"network", network},
                                           {"code_version", std::string(code_version())},
                                           {"command", command},

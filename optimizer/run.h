@@ -22,8 +22,8 @@ class Run {
   public:
     /// A new run of the experiment in `file`, in `folder` (empty: runs/NAME). Throws ConfigError for
     /// the experiment, LedgerError if the folder has a run.
-    static Run begin(const std::string& file, const std::string& folder,
-                     const std::string& command);
+    static Run begin(const std::string& file, const spec::Overrides& overrides,
+                     const std::string& folder, const std::string& command);
     /// Goes on where the run in `folder` was left. Throws LedgerError, AlgorithmError; also if this
     /// is another code version, whose results would not be those that the run began with.
     static Run resume(const std::string& folder);

@@ -14,8 +14,10 @@
 #include "optimizer/backend/nats_backend.h"
 #include "optimizer/backend/worker.h"
 #include "optimizer/daemon.h"
+#include "optimizer/report/run_report.h"
 #include "optimizer/report/run_text.h"
 #include "optimizer/run.h"
+#include "optimizer/spec/words.h"
 
 namespace k3d::optimizer {
 
@@ -29,6 +31,8 @@ struct Carrier {
     int jobs = 1;
     std::string nats;  ///< empty: this machine
     double lease_s = 30.0;
+    int http_port = -1;  ///< below 0: no page
+    std::string listen = "127.0.0.1";
 
     std::string flags() const {
         return nats.empty() ? fmt::format("--jobs {}", jobs) : "--nats " + nats;
@@ -46,6 +50,9 @@ void add_carrier_flags(CLI::App& verb, Carrier& carrier) {
                     "--nats: wall seconds after which an episode whose simulated time stands still "
                     "is given to another worker (default 30)")
         ->check(CLI::Range(1.0, 3600.0));
+    verb.add_option("--http", carrier.http_port, "port of the run's page, 0 = any (default: no page)")
+        ->check(CLI::Range(0, 65535));
+    verb.add_option("--listen", carrier.listen, "address of the page (default 127.0.0.1)");
 }
 
 /// Tries until there is a server, or the user wants to stop; then none.
@@ -76,25 +83,30 @@ int go_on(Run run, const Carrier& carrier) {
     report::RunProgress progress(std::cout, ::isatty(STDOUT_FILENO) == 1);
     progress.say(fmt::format("run {} in {}", run.name(), run.folder()));
     backend::Wakeups wakeups;  // before any thread: all of them leave the signals to it
+    Watch watch(run, progress);
+    if (carrier.http_port >= 0) {
+        watch.serve(carrier.listen, static_cast<std::uint16_t>(carrier.http_port));
+    }
     const auto backend = make_backend(run, carrier, wakeups);
-    const Ended ended = backend ? optimise(run, *backend, wakeups, progress) : Ended::Stopped;
-    progress.say(progress.summary());
+    const Ended ended = backend ? optimise(run, *backend, wakeups, watch) : Ended::Stopped;
+    progress.say(progress.summary() + "; " + progress.overhead());
     if (ended == Ended::Stopped) {
         progress.say("stopped; go on with: k3d-optimizer resume " + run.folder());
         return kExitInterrupted;
     }
     std::cout << report::course(run.ledger(), run.ended());
+    progress.say("report: " + report::write_report({run.ledger(), run.experiment(),
+                                                    run.algorithm().champion(), run.ended()},
+                                                   run.folder() + "/report"));
     return 0;
 }
 
-algorithm::Champion champion_in(const ledger::Ledger& ledger, const std::string& folder) {
+/// The algorithm as the ledger last saved it; none before the first generation is closed.
+std::optional<algorithm::Algorithm> algorithm_in(const ledger::Ledger& ledger,
+                                                 const std::string& folder) {
     const auto round = ledger.last_round();
-    if (round) {
-        const auto algorithm =
-            algorithm::Algorithm::restore_text(round->state, ledger_file(folder));
-        if (const auto champion = algorithm.champion()) return *champion;
-    }
-    throw std::runtime_error(folder + " has no champion yet");
+    if (!round) return std::nullopt;
+    return algorithm::Algorithm::restore_text(round->state, ledger_file(folder));
 }
 
 /// What `show` prints beside the course of the run.
@@ -112,47 +124,64 @@ int show(const Look& look) {
         std::cout << report::csv(ledger.rows(), look.canonical);
         return 0;
     }
-    const auto round = ledger.last_round();
     if (look.state) {
+        const auto round = ledger.last_round();
         if (!round) throw std::runtime_error(folder + " has closed no generation yet");
         std::cout << round->state << '\n';
         return 0;
     }
-    std::optional<std::string> ended;
-    if (round) {
-        ended = algorithm::Algorithm::restore_text(round->state, ledger_file(folder)).finished();
-    }
-    std::cout << report::course(ledger, ended);
+    const auto algorithm = algorithm_in(ledger, folder);
+    std::cout << report::course(ledger, algorithm ? algorithm->finished() : std::nullopt);
     return 0;
 }
 
 int best(const std::string& folder) {
     const auto ledger = ledger::Ledger::open(ledger_file(folder), ledger::Ledger::Access::Read);
-    const algorithm::Champion champion = champion_in(ledger, folder);
+    const auto algorithm = algorithm_in(ledger, folder);
+    const auto champion = algorithm ? algorithm->champion() : std::nullopt;
+    if (!champion) throw std::runtime_error(folder + " has no champion yet");
     const ledger::Facts facts = ledger.facts();
-    const std::string origin = fmt::format(
-        "candidate {} of run {}, version {}; fitness {:.4g} +- {:.3g} (se, n {}) on {} seeds",
-        champion.candidate, facts.at("id"), facts.at("code_version"), champion.score.mean,
-        champion.score.se, champion.score.n, champion.validated ? "validation" : "training");
-    std::cout << report::champion_file(experiment_of(facts), champion, origin);
+    std::cout << report::champion_file(experiment_of(facts), *champion,
+                                       report::origin_of(*champion, facts));
+    return 0;
+}
+
+int write_report(const std::string& folder) {
+    const auto ledger = ledger::Ledger::open(ledger_file(folder), ledger::Ledger::Access::Read);
+    const spec::Experiment experiment = experiment_of(ledger.facts());
+    report::RunFacts run{ledger, experiment, {}, {}};
+    if (const auto algorithm = algorithm_in(ledger, folder)) {
+        run.champion = algorithm->champion();
+        run.ended = algorithm->finished();
+    }
+    std::cout << report::write_report(run, folder + "/report") << '\n';
     return 0;
 }
 
 void add_run(CLI::App& app, std::function<int()>& chosen) {
     struct Flags {
         std::string spec, folder;
+        spec::Overrides overrides;
         Carrier carrier;
     };
     auto flags = std::make_shared<Flags>();
     CLI::App* verb = app.add_subcommand("run", "begins a run of an experiment");
     verb->add_option("SPEC", flags->spec, "the experiment, a TOML file")->required();
     verb->add_option("--run", flags->folder, "folder of the run (default runs/NAME)");
+    verb->add_option("--set", flags->overrides,
+                     "path=value, stronger than the experiment's file, e.g. "
+                     "algorithm.max_generations=2; may be repeated")
+        ->allow_extra_args(false);
     add_carrier_flags(*verb, flags->carrier);
     verb->callback([flags, &chosen] {
         chosen = [flags] {
-            const std::string command =
-                fmt::format("k3d-optimizer run {} {}", flags->spec, flags->carrier.flags());
-            return go_on(Run::begin(flags->spec, flags->folder, command), flags->carrier);
+            std::string command = "k3d-optimizer run " + flags->spec;
+            for (const std::string& text : flags->overrides) {
+                command += " --set " + spec::quote_word(text);
+            }
+            command += " " + flags->carrier.flags();
+            return go_on(Run::begin(flags->spec, flags->overrides, flags->folder, command),
+                         flags->carrier);
         };
     });
 }
@@ -183,6 +212,9 @@ void add_looks(CLI::App& app, std::function<int()>& chosen) {
     verb = app.add_subcommand("best", "prints the champion as k3d-agent takes it: TOML or network");
     verb->add_option("RUN", look->folder, "folder of the run")->required();
     verb->callback([look, &chosen] { chosen = [look] { return best(look->folder); }; });
+    verb = app.add_subcommand("report", "writes RUN/report/report.html and tables; also at a run's end");
+    verb->add_option("RUN", look->folder, "folder of the run")->required();
+    verb->callback([look, &chosen] { chosen = [look] { return write_report(look->folder); }; });
 }
 
 void add_worker(CLI::App& app, std::function<int()>& chosen) {

@@ -48,7 +48,7 @@ std::string this_worker() {
 std::uintmax_t telemetry_bytes(const std::string& folder) {
     std::uintmax_t bytes = 0;
     std::error_code fault;
-    for (const auto& entry : fs::directory_iterator(folder, fault)) {
+    for (const auto& entry : fs::recursive_directory_iterator(folder, fault)) {
         if (!entry.path().string().ends_with(".telemetry.jsonl")) continue;
         const auto size = entry.file_size(fault);
         if (!fault) bytes += size;
@@ -75,7 +75,7 @@ JobPool::JobPool(int slots, const std::string& log_folder)
 
 JobPool::~JobPool() {
     for (auto& running : running_) {
-        running->episode.reset();
+        std::visit([](auto& episode) { episode.reset(); }, running->episode);
         end_logs(running->folder, false);  // given up, not failed
     }
     std::error_code ignored;
@@ -89,10 +89,14 @@ void JobPool::start(const episode::Job& job) {
     std::string name = job.run + "-" + job.key.text();
     std::replace(name.begin(), name.end(), '/', '-');
     running->folder = make(fmt::format("{}/{}-try-{}", folder_, name, job.attempt));
-    running->match = episode::match_of(job, running->folder);
-    const episode::Task task{0, job.seed, job.attempt};
-    running->episode =
-        std::make_unique<episode::Episode>(running->match, task, running->folder, -1);
+    if (spec::drill_of(job.task.name).empty()) {
+        running->match = episode::match_of(job, running->folder);
+        const episode::Task task{0, job.seed, job.attempt};
+        running->episode =
+            std::make_unique<episode::Episode>(running->match, task, running->folder, -1);
+    } else {
+        running->episode = std::make_unique<drill::DrillProcess>(job, running->folder);
+    }
     running_.push_back(std::move(running));
 }
 
@@ -105,7 +109,8 @@ std::vector<episode::Outcome> JobPool::poll() {
 std::vector<std::pair<std::string, episode::Outcome>> JobPool::poll_with_runs() {
     std::vector<std::pair<std::string, episode::Outcome>> ended;
     std::erase_if(running_, [&](const std::unique_ptr<Running>& running) {
-        auto ending = running->episode->poll();
+        auto ending =
+            std::visit([](auto& episode) { return episode->poll(); }, running->episode);
         if (!ending) return false;
         end_logs(running->folder, !ending->has_value());
         if (!*ending) {
@@ -120,8 +125,15 @@ std::vector<std::pair<std::string, episode::Outcome>> JobPool::poll_with_runs() 
 
 episode::Clock::time_point JobPool::next_look() const {
     episode::Clock::time_point next = episode::Clock::now() + kLongestWait;
-    for (const auto& running : running_) next = std::min(next, running->episode->next_look());
+    for (const auto& running : running_) {
+        next = std::min(next, std::visit([](const auto& e) { return e->next_look(); },
+                                         running->episode));
+    }
     return next;
+}
+
+episode::Clock::time_point JobPool::Running::started() const {
+    return std::visit([](const auto& e) { return e->started(); }, episode);
 }
 
 std::vector<JobPool::Progress> JobPool::progress() const {
@@ -133,7 +145,7 @@ std::vector<JobPool::Progress> JobPool::progress() const {
 }
 
 episode::Outcome JobPool::outcome(const Running& running, episode::Ending ending) const {
-    const auto since = episode::Clock::now() - running.episode->started();
+    const auto since = episode::Clock::now() - running.started();
     const double wall_s = std::chrono::duration<double>(since).count();
     return {running.job.key, running.job.seed, running.job.attempt,
             episode::fingerprint(running.job), std::move(ending), wall_s, worker_};

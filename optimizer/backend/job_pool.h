@@ -7,8 +7,10 @@
 #include <memory>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
+#include "optimizer/drill/drill_process.h"
 #include "optimizer/episode/episode.h"
 #include "optimizer/episode/job.h"
 #include "optimizer/spec/match_spec.h"
@@ -53,7 +55,9 @@ class JobPool {
         episode::Job job;
         std::string folder;
         spec::MatchSpec match;
-        std::unique_ptr<episode::Episode> episode;
+        std::variant<std::unique_ptr<episode::Episode>, std::unique_ptr<drill::DrillProcess>>
+            episode;  ///< a match or a drill
+        episode::Clock::time_point started() const;
     };
 
     episode::Outcome outcome(const Running& running, episode::Ending ending) const;

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <optional>
 
+#include "optimizer/fitness/drills.h"
+
 namespace k3d::optimizer::fitness {
 
 namespace {
@@ -30,8 +32,9 @@ std::optional<double> value(const Result& r, const std::string& name) {
 
 }  // namespace
 
-std::string usual_figure(const std::string& task) {
-    return task == "keepaway" ? "hold_time_s" : "fitness";
+std::string measure(const spec::TaskSpec& task) {
+    if (!task.fitness.empty()) return task.fitness;
+    return task.name == "keepaway" ? "hold_time_s" : task.name;
 }
 
 tl::expected<double, std::string> figure(const Result& result, const std::string& name) {
@@ -45,7 +48,23 @@ tl::expected<double, std::string> figure(const Result& result, const std::string
 }
 
 tl::expected<double, std::string> fitness(const spec::TaskSpec& task, const Result& result) {
-    return figure(result, task.fitness.empty() ? usual_figure(task.name) : task.fitness);
+    if (!task.fitness.empty()) return figure(result, task.fitness);
+    const auto checked = [](const std::optional<double>& worth)
+        -> tl::expected<double, std::string> {
+        if (!worth) {
+            return tl::unexpected(
+                std::string("the drill has not measured what its fitness needs"));
+        }
+        if (!std::isfinite(*worth)) return tl::unexpected(fmt::format("the fitness is {}", *worth));
+        return *worth;
+    };
+    if (task.name == "walk_forward") return checked(walk_forward(result));
+    if (task.name == "walk_turn") return checked(walk_turn(result));
+    if (task.name == "go_to") return checked(go_to(result));
+    if (task.name == "kick") return checked(kick(result));
+    if (task.name == "possession") return checked(possession(result));
+    if (task.name == "ball_prediction") return checked(ball_prediction(result));
+    return figure(result, measure(task));
 }
 
 double simulated_s(const Result& result) {

@@ -10,8 +10,8 @@
 
 namespace k3d::optimizer::fitness {
 
-/// Figure that a task maximises unless the experiment names another.
-std::string usual_figure(const std::string& task);
+/// Name of what the task maximises: a figure, or of a drill the task's own fitness (drills.h).
+std::string measure(const spec::TaskSpec& task);
 
 /// A figure of the result by name: hold_time_s, attempts, kicks, passes_completed, falls (of all
 /// players), or one of its metrics; "-" in front: less is better. The reason if it has none, or if
@@ -19,7 +19,7 @@ std::string usual_figure(const std::string& task);
 tl::expected<double, std::string> figure(const k3d::episode::Result& result,
                                          const std::string& name);
 
-/// Of the figure that the task maximises.
+/// What the task maximises.
 tl::expected<double, std::string> fitness(const spec::TaskSpec& task,
                                           const k3d::episode::Result& result);
 

@@ -2,6 +2,7 @@
 #include "optimizer/report/run_progress.h"
 
 #include <fmt/format.h>
+#include <sys/resource.h>
 
 #include <algorithm>
 #include <cmath>
@@ -43,6 +44,17 @@ std::string RunProgress::summary() const {
     return text;
 }
 
+std::string RunProgress::overhead() const {
+    struct rusage used {};
+    ::getrusage(RUSAGE_SELF, &used);
+    const auto seconds = [](const timeval& t) {
+        return static_cast<double>(t.tv_sec) + static_cast<double>(t.tv_usec) * 1e-6;
+    };
+    return fmt::format("the daemon itself worked {:.2f} % of the episodes' time",
+                       100.0 * (seconds(used.ru_utime) + seconds(used.ru_stime)) /
+                           std::max(wall_s_, 1e-3));
+}
+
 std::string RunProgress::eta(const RunView& view) const {
     const double wall = std::chrono::duration<double>(Clock::now() - start_).count();
     if (episodes_ == 0 || (!view.test && view.max_generations > kManyGenerations)) return "";
@@ -58,6 +70,7 @@ void RunProgress::show(const RunView& view, const std::vector<ledger::Row>& news
         ++episodes_;
         failed_ += row.status == "failed";
         simulated_s_ += row.simulated_s;
+        wall_s_ += row.wall_s;
     }
     const auto now = Clock::now();
     if (now < shown_ + (terminal_ ? Clock::duration(kOnTerminal) : Clock::duration(kElsewhere))) {

@@ -38,6 +38,9 @@ class RunProgress {
     void closed(const nlohmann::json& line);
 
     std::string summary() const;  ///< rates since the start
+    /// This process' own work as a share of the wall time of its episodes.
+    std::string overhead() const;
+
   private:
     void wipe();
     std::string eta(const RunView& view) const;
@@ -51,6 +54,7 @@ class RunProgress {
     std::size_t episodes_ = 0;
     std::size_t failed_ = 0;
     double simulated_s_ = 0.0;
+    double wall_s_ = 0.0;  ///< of the episodes, those at the same time added
 };
 
 }  // namespace k3d::optimizer::report

@@ -74,11 +74,13 @@ std::string generations_table(const std::vector<nlohmann::json>& log) {
     if (log.empty()) return "";
     std::string text;
     const auto columns = columns_of(log);
-    for (const std::string& name : columns) text += fmt::format("{:>12}", name);
+    const auto width = [](const std::string& name) { return std::max<std::size_t>(8, name.size()); };
+    for (const std::string& name : columns) text += fmt::format(" {:>{}}", name, width(name));
     text += '\n';
     for (const nlohmann::json& line : log) {
         for (const std::string& name : columns) {
-            text += fmt::format("{:>12}", line.contains(name) ? number(line[name]) : "");
+            text += fmt::format(" {:>{}}", line.contains(name) ? number(line[name]) : "",
+                                width(name));
         }
         text += '\n';
     }
@@ -176,13 +178,11 @@ std::string champion_file(const spec::Experiment& experiment, const algorithm::C
         return network::to_json(spec::with_weights(*experiment.start_network, *values)) + "\n";
     }
     std::map<std::string, std::string> sections;
-    for (std::size_t i = 0; i < values->size(); ++i) {
-        const spec::Parameter& p = experiment.parameters.at(i);
-        const auto dot = p.name.rfind('.');
-        std::string& section = sections[dot == std::string::npos ? "" : p.name.substr(0, dot)];
-        const std::string key = dot == std::string::npos ? p.name : p.name.substr(dot + 1);
-        section += p.integer ? fmt::format("{} = {:.0f}\n", key, (*values)[i])
-                             : fmt::format("{} = {}\n", key, (*values)[i]);
+    for (const auto& [path, value] : spec::settings_of(experiment, *values)) {
+        const auto dot = path.rfind('.');
+        std::string& section = sections[dot == std::string::npos ? "" : path.substr(0, dot)];
+        section += fmt::format("{} = {}\n",
+                               dot == std::string::npos ? path : path.substr(dot + 1), value);
     }
     std::string text = "# " + origin + "\n";
     for (const auto& [name, lines] : sections) {

@@ -35,6 +35,21 @@ AgentField number_of(const nlohmann::json& entry) {
     return field;
 }
 
+void add_elements(const nlohmann::json& entry, AgentFields& fields) {
+    const auto path = entry.at("path").get<std::string>();
+    const auto values = entry.at("value").get<std::vector<double>>();
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        AgentField field;
+        field.path = fmt::format("{}.{}", path, i);
+        field.value = values[i];
+        field.min = bound(entry.at("min"), field.min);
+        field.max = bound(entry.at("max"), field.max);
+        field.unit = entry.at("unit").get<std::string>();
+        fields.numbers.push_back(std::move(field));
+    }
+    fields.lists[path] = values;
+}
+
 /// A file of its own for what a program prints.
 struct Capture {
     std::string path = (std::filesystem::temp_directory_path() / "k3d-fields-XXXXXX").string();
@@ -63,6 +78,7 @@ AgentFields parse_agent_fields(std::string_view json) {
         for (const nlohmann::json& entry : nlohmann::json::parse(json)) {
             const auto type = entry.at("type").get<std::string>();
             if (type == "number" || type == "integer") fields.numbers.push_back(number_of(entry));
+            if (type == "numbers") add_elements(entry, fields);
             if (type == "text") fields.texts.push_back(entry.at("path").get<std::string>());
         }
         return fields;

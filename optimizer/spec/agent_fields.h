@@ -3,15 +3,16 @@
 #pragma once
 
 #include <limits>
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace k3d::optimizer::spec {
 
-/// A number among the agent's settings.
+/// A number among the agent's settings, or an element of one that is a list of numbers.
 struct AgentField {
-    std::string path;  ///< "keeper.hold_threshold"
+    std::string path;  ///< "keeper.hold_threshold"; of an element "kick.duration_s.0"
     bool integer = false;
     double value = 0.0;  ///< without any setting
     double min = -std::numeric_limits<double>::infinity();
@@ -23,6 +24,7 @@ struct AgentField {
 struct AgentFields {
     std::vector<AgentField> numbers;  ///< in the order in which the agent describes them
     std::vector<std::string> texts;   ///< paths that take a text, such as a network's file
+    std::map<std::string, std::vector<double>> lists;  ///< whole, by path
 
     const AgentField* find(std::string_view path) const;
 };

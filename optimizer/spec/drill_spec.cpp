@@ -11,7 +11,7 @@
 namespace k3d::optimizer::spec {
 
 void check(const DrillSpec& spec) {
-    const auto last = static_cast<std::uint64_t>(spec.runs) - 1;
+    const auto last = static_cast<std::uint64_t>(spec.first) + static_cast<std::uint64_t>(spec.runs) - 1;
     if (spec.seed > std::numeric_limits<std::uint64_t>::max() - last) {
         throw std::invalid_argument(
             fmt::format("seed {} is too large for {} runs", spec.seed, spec.runs));

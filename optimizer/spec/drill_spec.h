@@ -67,6 +67,7 @@ struct DrillSetup {
 struct DrillSpec {
     std::string name = "walk";
     int runs = 10;
+    int first = 0;
     std::uint64_t seed = 1;
     int type = 0;
     std::string pace;
@@ -88,6 +89,7 @@ struct DrillSpec {
     void describe(config::Fields& f) {
         f.text("name", name, kDrillNames, "what is drilled");
         f.integer("runs", runs, {1, 1000000}, "", "runs, each with new processes");
+        f.integer("first", first, {0, 1000000}, "", "runs that count as played before: the first one has seed + first");
         f.seed("seed", seed, "of the first run; run k uses seed + k - 1");
         f.integer("type", type, {0, 4}, "", "type of Nao");
         f.text("pace", pace, {"", "realtime", "sync", "fast"},

@@ -8,6 +8,7 @@
 
 #include "optimizer/spec/parameter_tree.h"
 #include "optimizer/spec/settings.h"
+#include "optimizer/spec/words.h"
 
 namespace k3d::optimizer::spec {
 
@@ -133,6 +134,15 @@ void check_search(const Experiment& e, Faults& faults) {
     const bool all_frozen = std::all_of(e.parameters.begin(), e.parameters.end(),
                                         [](const Parameter& p) { return p.frozen; });
     if (!network && all_frozen) faults.add("parameters", "names nothing that is to be tuned");
+    const bool match = drill_of(e.task.name).empty();
+    if (match && !e.task.drill.empty()) {
+        faults.add("task.drill", "is for drills, but the task is " + e.task.name);
+    }
+    try {
+        split_words(e.task.drill);
+    } catch (const std::invalid_argument& error) {
+        faults.add("task.drill", fmt::format("is no list of settings: {}", error.what()));
+    }
     try {
         parse_settings(e.task.settings);
     } catch (const std::invalid_argument& error) {
@@ -154,7 +164,8 @@ void Experiment::describe(config::Fields& f) {
 }
 
 Experiment parse_experiment(std::string_view toml, const std::string& file,
-                            const AgentFields& fields, const ReadFile& read) {
+                            const AgentFields& fields, const ReadFile& read,
+                            const Overrides& overrides) {
     Experiment e;
     ParameterTree tree(fields);
     const auto describe = [&](config::Fields& f) {
@@ -162,8 +173,16 @@ Experiment parse_experiment(std::string_view toml, const std::string& file,
         f.section("parameters", tree);
     };
     config::load_text(describe, toml, file);
+    for (const std::string& text : overrides) {
+        const auto equals = text.find('=');
+        if (equals == std::string::npos) {
+            throw config::ConfigError(fmt::format("--set '{}' is not path=value", text));
+        }
+        config::set(describe, text.substr(0, equals), text.substr(equals + 1));
+    }
     Faults faults(toml, file);
     e.parameters = chosen(fields, tree, toml, faults);
+    e.lists = fields.lists;
     check_search(e, faults);
     check_network(e, fields, read, faults);
     faults.throw_if_any();
@@ -183,6 +202,28 @@ Problem problem_of(const Experiment& e) {
     }
     for (const network::Node& node : e.start_network->nodes) add("bias " + node.name, node.bias);
     return weights;
+}
+
+std::vector<std::pair<std::string, std::string>> settings_of(const Experiment& e,
+                                                             const std::vector<double>& values) {
+    std::vector<std::pair<std::string, std::string>> settings;
+    std::map<std::string, std::vector<double>> lists;  // with tuned elements
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        const Parameter& p = e.parameters.at(i);
+        const auto dot = p.name.rfind('.');
+        const auto list = e.lists.find(p.name.substr(0, dot));
+        if (dot != std::string::npos && list != e.lists.end()) {
+            auto& whole = lists.try_emplace(list->first, list->second).first->second;
+            whole.at(std::stoul(p.name.substr(dot + 1))) = values[i];
+        } else {
+            settings.emplace_back(p.name, p.integer ? fmt::format("{:.0f}", values[i])
+                                                    : fmt::format("{}", values[i]));
+        }
+    }
+    for (const auto& [path, whole] : lists) {
+        settings.emplace_back(path, fmt::format("[{}]", fmt::join(whole, ", ")));
+    }
+    return settings;
 }
 
 network::Definition with_weights(const network::Definition& start,

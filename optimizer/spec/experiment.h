@@ -9,6 +9,7 @@
 //     [parameters.keeper.hold_threshold]    # any number among the settings of k3d-agent
 //     lower = 1.0
 //     upper = 5.0                           # start, deviation, frozen may follow
+//     [parameters.motion.kick.far.duration_s.0]    # or an element, from 0, of a list of numbers
 //
 // or, instead of parameters, a network whose file is the value of one setting:
 //
@@ -21,9 +22,11 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "common/config/config.h"
@@ -75,6 +78,7 @@ struct Experiment {
     TestSpec test;
     NetworkSpec network;
     VectorProblem parameters;  ///< of the agent; empty with a network
+    std::map<std::string, std::vector<double>> lists;  ///< the agent's own, by path
     std::optional<network::Definition> start_network;
 
     void describe(config::Fields& f);
@@ -83,12 +87,21 @@ struct Experiment {
 /// Text of a file that the experiment names; throws std::runtime_error.
 using ReadFile = std::function<std::string(const std::string& name)>;
 
+/// "path=value", each stronger than the file, e.g. algorithm.max_generations=2.
+using Overrides = std::vector<std::string>;
+
 /// Throws config::ConfigError, each fault with file and line, all at once.
 Experiment parse_experiment(std::string_view toml, const std::string& file,
-                            const AgentFields& fields, const ReadFile& read);
+                            const AgentFields& fields, const ReadFile& read,
+                            const Overrides& overrides = {});
 
 /// What the algorithm searches.
 Problem problem_of(const Experiment& experiment);
+
+/// A candidate's values as settings of the agent: path and TOML value. A list with tuned elements is
+/// one setting, its other elements are the agent's own.
+std::vector<std::pair<std::string, std::string>> settings_of(const Experiment& experiment,
+                                                             const std::vector<double>& values);
 
 /// The start network with these weights and biases, in the order of problem_of().
 network::Definition with_weights(const network::Definition& start,

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "common/config/fields.h"
@@ -11,6 +12,16 @@ namespace k3d::optimizer::spec {
 
 inline const std::vector<std::string> kTaskNames{"keepaway", "walk_forward", "walk_turn", "go_to",
                                                  "kick",     "possession",   "ball_prediction"};
+
+/// The drill (k3d-optimizer drill NAME) that a task is played as; empty for keepaway, a match.
+constexpr std::string_view drill_of(std::string_view task) {
+    if (task == "walk_forward") return "walk";
+    if (task == "walk_turn") return "turn";
+    if (task == "go_to") return "go_to";
+    if (task == "kick" || task == "possession") return "kick_task";
+    if (task == "ball_prediction") return "ball_rolls";
+    return "";
+}
 
 struct TaskSpec {
     std::string name = "keepaway";
@@ -21,6 +32,7 @@ struct TaskSpec {
     int takers = 2;
     std::string taker = "greedy";
     std::string settings;
+    std::string drill;
     double deadline_s = 1800.0;
     double lobby_s = 60.0;
     double hung_agent_s = 30.0;
@@ -42,6 +54,7 @@ struct TaskSpec {
         f.text("settings", settings, {},
                "words PROGRAM:path=value for server, agent, keeper or taker, the same in all "
                "episodes");
+        f.text("drill", drill, {}, "drills: words path=value for the drill itself, as setup.walk_m=5");
         f.number("deadline_s", deadline_s, {0.1, 86400.0}, "s", "wall time of one try");
         f.number("lobby_s", lobby_s, {0.1, 86400.0}, "s", "wall time until all seats are taken");
         f.number("hung_agent_s", hung_agent_s, {0.1, 3600.0}, "s",

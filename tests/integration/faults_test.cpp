@@ -6,6 +6,7 @@
 #include <nats/nats.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <map>
 #include <thread>
 
@@ -149,14 +150,18 @@ TEST_F(Faults, WorkersGiveTheBytesOfOneMachine) {
 
 TEST_F(Faults, TwentyFaultsLeaveNoTrace) {
     std::string text = quick_experiment();
-    text.replace(text.find("max_generations = 4"), 19, "max_generations = 12");
+    // K3D_FAULTS=200 makes a longer bench of it.
+    const char* wanted_text = std::getenv("K3D_FAULTS");
+    const int wanted = wanted_text == nullptr ? 20 : std::atoi(wanted_text);
+    text.replace(text.find("max_generations = 4"), 19,
+                 "max_generations = " + std::to_string(std::max(4, wanted * 12 / 20)));
     write("exp.toml", text);
     const Doubler doubler(nats_.url());
     for (int i = 0; i < kWorkers; ++i) start_worker(i);
     start_daemon("run");
     RandomStream random(7, "faults", "kinds");
     int faults = 0;
-    while (faults < 20) {
+    while (faults < wanted) {
         const auto ended = daemon_->wait(milliseconds(150 + random.below(300)));
         ASSERT_FALSE(ended) << "ended after " << faults << " faults, " << ended->text() << '\n'
                             << content("daemon.log");

@@ -92,6 +92,21 @@ TEST_F(Runs, AnEpisodeThatNeverWorksIsCountedAsTheWorst) {
     EXPECT_THAT(content("a.log"), HasSubstr("try 4 of 4 failed: server: killed by signal 9"));
 }
 
+TEST_F(Runs, ADrillIsATask) {
+    const std::string walk = K3D_SOURCE_DIR "/optimizer/experiments/walk_forward.toml";
+    const std::vector<std::string> small{
+        "run", walk, "--run", path("a"), "--jobs", "2", "--set", "algorithm.max_generations=1",
+        "--set", "algorithm.cmaes.population=4", "--set", "algorithm.sampling.episodes=1", "--set",
+        "algorithm.sampling.validation_episodes=1", "--set", "algorithm.sampling.finalists=1",
+        "--set", "test.episodes=1", "--set", "task.drill=setup.walk_m=1.0 setup.walk_limit_s=3.0"};
+    ASSERT_EQ(run(small, "a.log"), 0) << content("a.log");
+    const std::string rows = shown("a", "--csv");
+    EXPECT_THAT(rows, HasSubstr("\ntrain,0,3,0,"));
+    EXPECT_THAT(rows, HasSubstr("speed_mps="));
+    EXPECT_THAT(rows, ::testing::Not(HasSubstr(",failed,")));
+    EXPECT_TRUE(std::filesystem::exists(path("a/report/report.html")));
+}
+
 TEST_F(Runs, MistakesAreNamed) {
     write("bad.toml", "name = \"x\"\n[parameters.keeper.hold_treshold]\nlower = 1.0\n");
     EXPECT_EQ(run({"run", path("bad.toml"), "--run", path("x")}, "said"), 2);

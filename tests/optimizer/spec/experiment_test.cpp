@@ -7,6 +7,12 @@
 #include <rapidcheck.h>
 #include <rapidcheck/gtest.h>
 
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "optimizer/algorithm/algorithm.h"
+
 namespace k3d::optimizer::spec {
 namespace {
 
@@ -18,7 +24,8 @@ const AgentFields& fields() {
         {"path": "keeper.policy", "type": "text", "value": "", "min": null, "max": null, "unit": "", "meaning": ""},
         {"path": "keeper.hold", "type": "number", "value": 2.4, "min": 0, "max": 20, "unit": "m", "meaning": "x"},
         {"path": "motion.walk.step", "type": "number", "value": 0.03, "min": 0, "max": 0.1, "unit": "m", "meaning": "x"},
-        {"path": "motion.walk.frames", "type": "integer", "value": 10, "min": 1, "max": 100, "unit": "", "meaning": "x"}])");
+        {"path": "motion.walk.frames", "type": "integer", "value": 10, "min": 1, "max": 100, "unit": "", "meaning": "x"},
+        {"path": "motion.kick.times", "type": "numbers", "value": [0.1, 0.2, 0.3], "min": 0.02, "max": 2, "unit": "s", "meaning": "x"}])");
     return all;
 }
 
@@ -105,6 +112,20 @@ TEST(Experiment, NamesFileLineAndValueOfEveryFault) {
     for (const auto& [toml, fault] : faults) EXPECT_THAT(fault_of(toml), HasSubstr(fault)) << toml;
 }
 
+TEST(Experiment, ElementsOfAListAreTunedWithinIt) {
+    const Experiment e = parse(
+        "name = \"a\"\n[parameters.motion.kick.times.1]\nlower = 0.1\nupper = 0.9\n"
+        "[parameters.motion.walk.frames]\nlower = 5\nupper = 15\n");
+    ASSERT_EQ(e.parameters.size(), 2U);
+    EXPECT_EQ(e.parameters[1].name, "motion.kick.times.1");
+    EXPECT_EQ(e.parameters[1].start, 0.2);
+    using Pairs = std::vector<std::pair<std::string, std::string>>;
+    EXPECT_EQ(settings_of(e, {7.0, 0.5}), (Pairs{{"motion.walk.frames", "7"},
+                                                 {"motion.kick.times", "[0.1, 0.5, 0.3]"}}));
+    EXPECT_THAT(fault_of("name = \"a\"\n[parameters.motion.kick.times.3]\nlower = 0.1\n"),
+                HasSubstr("exp.toml:2: unknown key \"parameters.motion.kick.times.3\""));
+}
+
 TEST(Experiment, TellsAllFaultsAtOnce) {
     const std::string said = fault_of(
         "name = \"\"\n[parameters.keeper.hold]\nlower = 5\nupper = 1\n"
@@ -129,6 +150,26 @@ TEST(Experiment, NeatGetsTheNetworkItself) {
         "name = \"a\"\n[algorithm]\nname = \"neat\"\n[network]\npath = \"keeper.policy\"\n"
         "start = \"net.json\"\n");
     EXPECT_EQ(std::get<NetworkProblem>(problem_of(e)).start, *e.start_network);
+}
+
+TEST(Experiment, ThoseInTheTreeAreSound) {
+    const AgentFields real = ask_agent_fields(K3D_BIN_DIR "/k3d-agent");
+    const std::string folder = K3D_SOURCE_DIR "/optimizer/experiments";
+    const auto content = [&](const std::string& name) {
+        std::ostringstream text;
+        text << std::ifstream(folder + "/" + name).rdbuf();
+        return text.str();
+    };
+    int count = 0;
+    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+        if (entry.path().extension() != ".toml") continue;
+        const std::string file = entry.path().filename().string();
+        const Experiment e = parse_experiment(content(file), file, real, content);
+        EXPECT_EQ(e.name + ".toml", file);
+        EXPECT_NO_THROW(algorithm::Algorithm(e.algorithm, problem_of(e), e.seed)) << file;
+        ++count;
+    }
+    EXPECT_GE(count, 10);
 }
 
 RC_GTEST_PROP(Experiment, AnyDamageIsReadOrNamed, ()) {

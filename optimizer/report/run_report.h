@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The report of a run: one HTML file that needs nothing beside it, and tables as CSV.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "optimizer/algorithm/algorithm.h"
+#include "optimizer/ledger/ledger.h"
+#include "optimizer/spec/experiment.h"
+
+namespace k3d::optimizer::report {
+
+struct RunFacts {
+    const ledger::Ledger& ledger;
+    const spec::Experiment& experiment;
+    std::optional<algorithm::Champion> champion;
+    std::optional<std::string> ended;
+};
+
+/// Writes report.html, episodes.csv, generations.csv and champion.toml or .json into `folder`,
+/// which is made. Throws std::runtime_error naming a file that cannot be written. Returns the path
+/// of report.html.
+std::string write_report(const RunFacts& run, const std::string& folder);
+
+/// The page alone.
+std::string report_html(const RunFacts& run);
+
+/// What stands at a champion's head: who it is and where it comes from.
+std::string origin_of(const algorithm::Champion& champion, const ledger::Facts& facts);
+
+/// Names of the values of a candidate; empty if candidates are networks that differ in shape.
+std::vector<std::string> value_names(const spec::Experiment& experiment);
+
+}  // namespace k3d::optimizer::report

@@ -116,11 +116,7 @@ struct EvaluationConfig {
 /// Takers (paper 5.2).
 struct TakerConfig {
     std::string strategy = "greedy";
-    // Takers are the yardstick that keepers are measured by: they stay what they were when the
-    // walk's steering became quicker.
-    double forward_speed = 0.7;
-    double turn_rate = 1.2;
-    double turn_gain = 2.0;
+    double top_speed = 2.0;
     double chaser_hysteresis = 0.3;
     double follow_distance = 0.6;
     double pass_distance = 0.7;
@@ -130,10 +126,8 @@ struct TakerConfig {
     void describe(config::Fields& f) {
         f.text("strategy", strategy, {"greedy", "greedy_random"},
                "greedy: all chase the ball; greedy_random: one does, the others follow keepers");
-        f.number("forward_speed", forward_speed, {0.05, 2.0}, "m/s",
-                 "fastest walk forward that a taker asks for, in place of skills.forward_speed");
-        f.number("turn_rate", turn_rate, {0.1, 4.0}, "rad/s", "and its skills.turn_rate");
-        f.number("turn_gain", turn_gain, {0.1, 10.0}, "1/s", "and its skills.turn_gain");
+        f.number("top_speed", top_speed, {0.05, 2.0}, "m/s",
+                 "takers ask for no faster walk forward, whatever skills.forward_speed allows");
         f.number("chaser_hysteresis", chaser_hysteresis, {0.0, 5.0}, "m",
                  "head start of the present chaser when distances to the ball are compared");
         f.number("follow_distance", follow_distance, {0.3, 5.0}, "m",

@@ -62,9 +62,7 @@ bool PassWatch::update(const world::Beliefs& b, const TakerConfig& c) {
 
 Taker::Taker(const TakerConfig& config, const skills::SkillConfig& skills, RandomStream choices)
     : greedy_(config.strategy == "greedy"), config_(config), skills_(skills), choices_(choices) {
-    skills_.forward_speed = config.forward_speed;
-    skills_.turn_rate = config.turn_rate;
-    skills_.turn_gain = config.turn_gain;
+    skills_.forward_speed = std::min(skills_.forward_speed, config.top_speed);
 }
 
 Decision Taker::decide(const world::Beliefs& b, const motion::State& body) {

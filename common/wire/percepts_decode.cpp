@@ -87,25 +87,43 @@ bool take(const std::optional<Value>& value, Target& target) {
     return value.has_value();
 }
 
+/// Kept between calls only for its memory. What a frame may lack waits here for one that has it.
+struct Memory {
+    sexpr::Document document;
+    See see;
+    std::vector<Heard> heard;
+};
+
 class Decoder {
   public:
     explicit Decoder(Percepts& percepts) : percepts_(percepts) {}
 
     int run(std::string_view payload) {
-        // Kept between calls only for its memory.
-        static thread_local sexpr::Document document;
         reset();
+        sexpr::Document& document = memory().document;
         int faults = document.parse(payload) == sexpr::Error::None ? 0 : 1;
         for (auto node = document.first(); node; node = node->next()) faults += group(*node);
         if (!has_game_) percepts_.game.reset();
-        if (!has_see_) percepts_.see.reset();
+        if (!has_see_ && percepts_.see) {
+            memory().see = std::move(*percepts_.see);
+            percepts_.see.reset();
+        }
         return faults;
     }
 
   private:
+    static Memory& memory() {
+        static thread_local Memory kept;
+        return kept;
+    }
+
     /// Empties the frame but for the memory of game and See, which most frames use again.
     void reset() {
+        constexpr std::size_t kKept = 8;
         percepts_.time = 0.0;
+        for (Heard& heard : percepts_.heard) {
+            if (memory().heard.size() < kKept) memory().heard.push_back(std::move(heard));
+        }
         percepts_.heard.clear();
         percepts_.gyro_deg = Vec3::Zero();
         percepts_.acceleration = Vec3::Zero();
@@ -204,11 +222,17 @@ class Decoder {
         const auto direction = time->next();
         const auto text = direction->next();
         if (team->is_list() || !time->number() || text->is_list()) return 1;
-        Heard heard;
+        std::optional<double> direction_deg;
         if (direction->atom() != "self") {
-            heard.direction_deg = direction->number();
-            if (!heard.direction_deg) return 1;
+            direction_deg = direction->number();
+            if (!direction_deg) return 1;
         }
+        Heard heard;
+        if (!memory().heard.empty()) {
+            heard = std::move(memory().heard.back());
+            memory().heard.pop_back();
+        }
+        heard.direction_deg = direction_deg;
         heard.team = team->atom();
         heard.time = *time->number();
         heard.text = text->atom();
@@ -217,7 +241,7 @@ class Decoder {
     }
 
     int see(const Node& node) {
-        if (!percepts_.see) percepts_.see.emplace();
+        if (!percepts_.see) percepts_.see.emplace(std::move(memory().see));
         See& view = *percepts_.see;
         view.landmarks.fill(std::nullopt);
         view.ball.reset();

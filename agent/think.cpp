@@ -46,7 +46,8 @@ void Mind::think(std::string_view payload, std::string& reply) {
     const motion::State& body = motion_.sense(sense_);
 
     // Ears, eyes and memory: where are we, the ball and the others?
-    const std::span<const talk::Message> heard = ears_.hear(percepts_, seat_.team, world_.beliefs().game.unum);
+    const std::span<const talk::Message> heard =
+        ears_.hear(percepts_, seat_.team, world_.beliefs().game.unum);
     const world::Beliefs& beliefs = world_.update(percepts_, body, heard);
 
     // What to do about it, and how to move for that.

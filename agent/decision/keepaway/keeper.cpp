@@ -12,6 +12,8 @@
 namespace k3d::agent::decision {
 namespace {
 
+constexpr std::size_t kMostRobots = 22;
+
 double nearest_taker(const world::Beliefs& b, const Vec2& point) {
     double nearest = std::numeric_limits<double>::infinity();
     for (const world::Player& taker : b.opponents)
@@ -37,7 +39,11 @@ Keeper::Keeper(const KeeperSettings& settings, Policy policy, const skills::Kick
       kick_(kick),
       choices_(choices),
       grid_(target_grid(settings.keepaway.side, settings.evaluation)),
-      possession_(make_possession(settings.possession, settings.skills, kick)) {}
+      possession_(make_possession(settings.possession, settings.skills, kick)) {
+    situation_.takers.reserve(kMostRobots);
+    situation_.receivers.reserve(kMostRobots);
+    obstacles_.reserve(kMostRobots + 1);
+}
 
 Decision Keeper::decide(const world::Beliefs& b, const motion::State& body,
                         std::span<const talk::Report> reports) {

@@ -56,6 +56,7 @@ bool PassWatch::update(const world::Beliefs& b, const TakerConfig& c) {
 Taker::Taker(const TakerConfig& config, const skills::SkillConfig& skills, RandomStream choices)
     : greedy_(config.strategy == "greedy"), config_(config), skills_(skills), choices_(choices) {
     skills_.forward_speed = std::min(skills_.forward_speed, config.top_speed);
+    robots_.reserve(22);
 }
 
 Decision Taker::decide(const world::Beliefs& b, const motion::State& body) {

@@ -46,7 +46,8 @@ void Mind::think(std::string_view payload, std::string& reply) {
     const motion::State& body = motion_.sense(sense_);
 
     // Ears, eyes and memory: where are we, the ball and the others?
-    const auto heard = ears_.hear(percepts_, seat_.team, world_.beliefs().game.unum);
+    const std::span<const talk::Message> heard =
+        ears_.hear(percepts_, seat_.team, world_.beliefs().game.unum);
     const world::Beliefs& beliefs = world_.update(percepts_, body, heard);
 
     // What to do about it, and how to move for that.
@@ -56,7 +57,8 @@ void Mind::think(std::string_view payload, std::string& reply) {
     // One frame out, and an account of why.
     const action::Limits limits{config_.keepaway.keepers, config_.beam};
     reply.clear();
-    wire::encode(action::compose(model_, rates_, decision, beliefs, limits), reply);
+    action::compose(model_, rates_, decision, beliefs, limits, commands_);
+    wire::encode(commands_, reply);
     telemetry_.record(beliefs, motion_.state(), decision);
 }
 

@@ -44,6 +44,7 @@ class Mind {
     world::WorldModel world_;
     decision::Player player_;
     nao::JointArray rates_{};
+    wire::Commands commands_;
     action::Telemetry telemetry_;
 };
 

@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <functional>
 #include <iostream>
+#include <memory>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -13,6 +14,7 @@
 #include "common/config/command_line.h"
 #include "common/log/log.h"
 #include "common/version/version.h"
+#include "optimizer/bench.h"
 #include "optimizer/drill_run.h"
 #include "optimizer/hopeless.h"
 #include "optimizer/match.h"
@@ -122,6 +124,26 @@ int run_match(const Options& options) {
     return run.failures.empty() ? 0 : k3d::config::kExitFailed;
 }
 
+void add_bench(CLI::App& app, std::function<int()>& chosen) {
+    CLI::App* verb = app.add_subcommand(
+        "bench", "plays episodes with each stepper and prints simulated seconds per core-second");
+    const auto settings = std::make_shared<k3d::optimizer::BenchSettings>();
+    verb->add_option("--episodes", settings->episodes, "of each stepper (default 5)")
+        ->check(CLI::Range(1, 1000));
+    verb->add_option("--seed", settings->seed, "of the first one (default 1)");
+    verb->add_option("--limit-s", settings->limit_s, "simulated seconds of one (default 30)")
+        ->check(CLI::Range(1.0, 3600.0));
+    verb->add_option("--keepers", settings->keepers, "keepers (default 3)")
+        ->check(CLI::Range(1, 11));
+    verb->add_option("--takers", settings->takers, "takers (default 2)")->check(CLI::Range(1, 11));
+    verb->callback([&chosen, settings] {
+        chosen = [settings] {
+            std::cout << k3d::optimizer::bench(*settings);
+            return 0;
+        };
+    });
+}
+
 /// A start failure that every try would meet keeps the exit code of whoever refused to start.
 int guarded(const std::function<int()>& command) {
     try {
@@ -147,6 +169,7 @@ int main(int argc, char** argv) {
     match->callback([&] { chosen = [&match_options] { return run_match(match_options); }; });
     k3d::optimizer::add_drill_command(app, chosen);
     k3d::optimizer::add_run_verbs(app, chosen);
+    add_bench(app, chosen);
     return k3d::config::run_program(app, argc, argv, "k3d-optimizer", [&] {
         if (!chosen) throw std::invalid_argument("which subcommand? See k3d-optimizer --help");
         k3d::log::start("k3d-optimizer", "info");

@@ -123,6 +123,7 @@ struct Config {
     int first_episode = 1;
     std::string left_team;
     std::string right_team;
+    std::string stage_times;
     NetworkConfig network;
     MonitorConfig monitor;
     PaceConfig pace;
@@ -141,6 +142,9 @@ struct Config {
                   "number that the page shows for this process's first episode");
         f.text("left_team", left_team, {}, "name reserved for the left side; empty: first come");
         f.text("right_team", right_team, {}, "name reserved for the right side; empty: second come");
+        f.text("stage_times", stage_times, {},
+               "file to write the CPU time of each stage of the cycles to, at the end; empty: not "
+               "measured");
         f.section("network", network);
         f.section("monitor", monitor);
         f.section("pace", pace);

@@ -10,10 +10,12 @@
 namespace k3d::server {
 
 void Simulation::run_cycle() {
+    stages_.enter(Stage::Wire);
     // 1. Commands that have arrived: joint rates, say and syn act at once. By pace, wait for all.
     read_commands();
     // 2. The percepts generated at the end of the cycle before.
     send_percepts();
+    stages_.enter(Stage::Rules);
     // 3. Before the physics: what was stored (scene, init, beam), trainers, velocity sensors.
     carry_out_stored_commands();
     obey_trainers();
@@ -23,12 +25,16 @@ void Simulation::run_cycle() {
     game::before_step(game_, *scene_);
     // 4, 5. Collide and step.
     step_physics();
+    stages_.enter(Stage::Rules);
     // 6. Rules and counters.
     update_game();
     // 7. The clock.
     ++clock_;
+    ++cycles_measured_;
+    stages_.enter(Stage::Percepts);
     // 8. Percepts for the next cycle; monitors and the page.
     sense();
+    stages_.enter(Stage::Shown);
     show();
 }
 
@@ -64,7 +70,7 @@ void Simulation::send_percepts() {
 
 void Simulation::step_physics() {
     try {
-        scene_->world.step();
+        scene_->world.step(&stages_);
         hash_ = scene_->world.hash(hash_);
     } catch (const physics::Diverged& error) {
         spdlog::error("physics diverged at {:.2f} s: {}", clock_.seconds(), error.what());

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "common/clock/clock.h"
+#include "common/clock/stage_clock.h"
 #include "common/episode/result.h"
 #include "common/log/limiter.h"
 #include "common/net/net.h"
@@ -81,6 +82,7 @@ class Simulation {
     void update_game();
     void sense();
     void show();
+    void write_stage_times();
     void show_page();
     void tell_monitors();
     void log_for_monitors();
@@ -132,6 +134,8 @@ class Simulation {
     std::unique_ptr<body::Scene> scene_;
     game::Game game_;
     Cycle clock_;
+    StageClock stages_;
+    std::int64_t cycles_measured_ = 0;
     std::uint64_t hash_ = 0;
     int episode_ = 1;
     int cycles_since_over_ = 0;

@@ -55,6 +55,7 @@ Simulation::Simulation(const Config& config, const Files& files)
                 }),
       scene_(std::make_unique<body::Scene>(config.physics.kind())),
       game_(game::Soccer(config.soccer)),
+      stages_(!config.stage_times.empty()),
       lobby_(has_lobby(config)),
       lobby_since_(net::Clock::now()) {
     if (!files.monitor_log.empty()) monitor_log_.emplace(files.monitor_log, config.monitor);
@@ -94,6 +95,7 @@ Outcome Simulation::run(const volatile int& stop) {
     while (!end_ && stop == 0) step();
     if (!end_) outcome_ = Outcome::Stopped;
     if (recorder_) recorder_->end(static_cast<int>(outcome_));
+    write_stage_times();
     return outcome_;
 }
 

@@ -12,19 +12,26 @@ wire::BeamCommand kick_off_place(int unum) {
     return {-3.0 - 2.0 * row, -4.5 + 3.0 * column, 0.0};
 }
 
-wire::Commands compose(const nao::Model& model, const nao::JointArray& rates,
-                       const decision::Decision& decision, const world::Beliefs& b,
-                       const Limits& limits) {
-    wire::Commands commands;
+void compose(const nao::Model& model, const nao::JointArray& rates,
+             const decision::Decision& decision, const world::Beliefs& b, const Limits& limits,
+             wire::Commands& commands) {
+    commands.joint_rates = {};
+    commands.beam.reset();
     for (const nao::JointDef& joint : model.joints)
         commands.joint_rates[nao::index(joint.id)] = rates[nao::index(joint.id)];
     const bool may_beam = b.game.play_mode == "BeforeKickOff" || b.game.play_mode == "Goal_Left" ||
                           b.game.play_mode == "Goal_Right";
     if (limits.beam && may_beam && b.game.unum > 0) commands.beam = kick_off_place(b.game.unum);
-    if (decision.say && talk::may_speak(b.now, b.game.unum, limits.keepers))
-        commands.say.push_back(talk::encode(*decision.say));
+    const bool speaks = decision.say && talk::may_speak(b.now, b.game.unum, limits.keepers);
+    // Between two turns to speak the text waits here, only for its memory.
+    static thread_local std::string silent;
+    if (!commands.say.empty()) silent.swap(commands.say.front());
+    commands.say.clear();
+    if (speaks) {
+        commands.say.push_back(std::move(silent));
+        talk::encode(*decision.say, commands.say.front());
+    }
     commands.syn = true;
-    return commands;
 }
 
 }  // namespace k3d::agent::action

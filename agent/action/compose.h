@@ -16,10 +16,11 @@ struct Limits {
     bool beam = false;  ///< beam before kick-off and after goals
 };
 
-/// `rates` in rad/s. A message is said only in this player's turn (talk/slots.h).
-wire::Commands compose(const nao::Model& model, const nao::JointArray& rates,
-                       const decision::Decision& decision, const world::Beliefs& beliefs,
-                       const Limits& limits);
+/// Fills `commands`, which is reset first; its memory is used again. `rates` in rad/s. A message is
+/// said only in this player's turn (talk/slots.h).
+void compose(const nao::Model& model, const nao::JointArray& rates,
+             const decision::Decision& decision, const world::Beliefs& beliefs,
+             const Limits& limits, wire::Commands& commands);
 
 /// Where player `unum` beams to: in the own half, looking at the opponents' goal; team frame.
 wire::BeamCommand kick_off_place(int unum);

@@ -30,13 +30,21 @@ template <class Input>
 using Chooser = std::function<int(const Input&, int state)>;
 
 /// The chooser of Algorithm 1: the output of the network with the largest value, the first of
-/// equals. `features` gives the network's inputs; the network needs one output per state.
-template <class Input>
-Chooser<Input> network_chooser(network::Network net,
-                               std::function<std::vector<double>(const Input&)> features) {
-    auto shared = std::make_shared<std::pair<network::Network, network::State>>(net, net.start());
+/// equals. `features(input)` gives the network's inputs, an array or a vector; the network needs
+/// one output per state.
+template <class Input, class Features>
+Chooser<Input> network_chooser(network::Network net, Features features) {
+    struct Shared {
+        network::Network net;
+        network::State state;
+        std::vector<double> values;
+    };
+    const std::size_t outputs = net.definition().outputs.size();
+    auto shared = std::make_shared<Shared>(
+        Shared{net, net.start(), std::vector<double>(outputs, 0.0)});
     return [shared, features = std::move(features)](const Input& input, int) {
-        const std::vector<double> values = shared->first.evaluate(features(input), shared->second);
+        shared->net.evaluate(features(input), shared->state, shared->values);
+        const std::vector<double>& values = shared->values;
         std::size_t best = 0;
         for (std::size_t i = 1; i < values.size(); ++i)
             if (values[i] > values[best]) best = i;

@@ -41,7 +41,7 @@ BodyRequest position(const PossessionInput& in, const skills::SkillConfig& skill
 
 }  // namespace
 
-std::vector<double> possession_variables(const PossessionInput& in) {
+PossessionVariables possession_variables(const PossessionInput& in) {
     const Pose2& self = in.beliefs.self.pose;
     const world::Ball& ball = in.beliefs.ball;
     const double agent_ball = (ball.position - self.position).norm();
@@ -56,7 +56,7 @@ std::vector<double> possession_variables(const PossessionInput& in) {
     };
 }
 
-int choose_by_rules(const std::vector<double>& v, int state, const PossessionConfig& c) {
+int choose_by_rules(const PossessionVariables& v, int state, const PossessionConfig& c) {
     const double agent_ball = v[0];
     const double agent_finish = v[1];
     const double ball_finish = v[2];

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -25,7 +26,7 @@ struct PossessionInput {
     bool may_kick = false;
     bool committed = false;          ///< see skills::KickSituation
     double half_area = 1e9;          ///< walk only to places with |x|, |y| below this, m
-    std::vector<skills::Obstacle> robots;
+    std::span<const skills::Obstacle> robots;
 };
 
 enum PossessionState { kIntercept = 0, kGoToFinish = 1, kPosition = 2, kHold = 3 };
@@ -37,10 +38,12 @@ inline constexpr std::size_t kPossessionStates = 4;
 inline constexpr std::array<std::string_view, 6> kPossessionInputs{
     "agent_ball", "agent_finish", "ball_finish", "ball_agent_finish_deg", "target_agent_deg",
     "approach"};
-std::vector<double> possession_variables(const PossessionInput& input);
+using PossessionVariables = std::array<double, kPossessionInputs.size()>;
+PossessionVariables possession_variables(const PossessionInput& input);
 
 /// The hand-written chooser.
-int choose_by_rules(const std::vector<double>& variables, int state, const PossessionConfig& config);
+int choose_by_rules(const PossessionVariables& variables, int state,
+                    const PossessionConfig& config);
 
 using PossessionBehaviour = ComplexBehaviour<PossessionInput, motion::BodyRequest>;
 

@@ -89,12 +89,14 @@ void look(const wire::See& see, const motion::State& body, const Identity& self,
     view.camera = camera.position;
     view.camera_rotation = camera.rotation;
     view.landmarks.clear();
+    view.landmarks.reserve(see.landmarks.size());
     for (std::size_t k = 0; k < see.landmarks.size(); ++k) {
         const auto& pol = see.landmarks[k];
         if (!pol || !finite(*pol)) continue;
         view.landmarks.push_back({static_cast<field::Landmark>(k), camera.point(*pol).head<2>()});
     }
     view.lines.clear();
+    view.lines.reserve(kMaxGround);
     for (const wire::SeenLine& line : see.lines) {
         if (!finite(line.begin) || !finite(line.end)) continue;
         const Vec2 begin = camera.point(line.begin).head<2>();
@@ -105,6 +107,7 @@ void look(const wire::See& see, const motion::State& body, const Identity& self,
     view.ball.reset();
     if (see.ball && finite(*see.ball)) view.ball = camera.point(*see.ball);
     view.players.clear();
+    view.players.reserve(22);
     for (const wire::SeenPlayer& seen : see.players) {
         if (const auto sight = player(seen, camera, self)) view.players.push_back(*sight);
     }

@@ -33,6 +33,12 @@ motion::Walk head_for(const Vec2& point, double speed, const SkillConfig& c) {
 
 }  // namespace
 
+void robots_of(const world::Beliefs& b, double clearance, std::vector<Obstacle>& robots) {
+    robots.clear();
+    for (const auto& p : b.mates) robots.push_back({p.position, clearance});
+    for (const auto& p : b.opponents) robots.push_back({p.position, clearance});
+}
+
 Vec2 waypoint(const Vec2& self, const Vec2& goal, std::span<const Obstacle> obstacles) {
     const Vec2 way = goal - self;
     const double length = way.norm();

@@ -4,9 +4,11 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
 #include "agent/motion/motion.h"
 #include "agent/skills/config.h"
+#include "agent/world/beliefs.h"
 #include "common/math/geometry.h"
 
 namespace k3d::agent::skills {
@@ -16,6 +18,9 @@ struct Obstacle {
     Vec2 position;
     double clearance;  ///< m to keep between its centre and ours
 };
+
+/// All robots that are known, in place of what `robots` held.
+void robots_of(const world::Beliefs& beliefs, double clearance, std::vector<Obstacle>& robots);
 
 /// Where to head first so as to reach `goal` without running into an obstacle: the goal itself
 /// if the way is free, else a point beside the nearest obstacle in the way. An obstacle that

@@ -2,24 +2,27 @@
 // Keeps what team-mates said last.
 #include "agent/talk/ears.h"
 
+#include <algorithm>
+
 namespace k3d::agent::talk {
 
-std::vector<Message> Ears::hear(const wire::Percepts& percepts, std::string_view team, int unum) {
-    std::vector<Message> fresh;
+std::span<const Message> Ears::hear(const wire::Percepts& percepts, std::string_view team,
+                                    int unum) {
+    fresh_.clear();
     for (const wire::Heard& heard : percepts.heard) {
         if (!heard.direction_deg || heard.team != team) continue;
         const std::optional<Message> message = decode(heard.text);
         if (!message || message->unum == unum) continue;
-        fresh.push_back(*message);
-        latest_[message->unum] = {percepts.time, *message};
+        fresh_.push_back(*message);
+        const auto place = std::ranges::lower_bound(
+            latest_, message->unum, {}, [](const Report& report) { return report.message.unum; });
+        if (place != latest_.end() && place->message.unum == message->unum) {
+            *place = {percepts.time, *message};
+        } else {
+            latest_.insert(place, {percepts.time, *message});
+        }
     }
-    return fresh;
-}
-
-std::vector<Report> Ears::latest() const {
-    std::vector<Report> reports;
-    for (const auto& [unum, report] : latest_) reports.push_back(report);
-    return reports;
+    return fresh_;
 }
 
 }  // namespace k3d::agent::talk

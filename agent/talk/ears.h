@@ -2,7 +2,7 @@
 // The last message of every team-mate, with the time it was heard.
 #pragma once
 
-#include <map>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -20,13 +20,15 @@ class Ears {
   public:
     /// Messages of this frame that team-mates of `team` other than number `unum` said; also kept.
     /// Own, foreign and damaged ones are ignored.
-    std::vector<Message> hear(const wire::Percepts& percepts, std::string_view team, int unum);
+    /// Valid until the next call.
+    std::span<const Message> hear(const wire::Percepts& percepts, std::string_view team, int unum);
 
     /// Latest report of each team-mate, by unum.
-    std::vector<Report> latest() const;
+    std::span<const Report> latest() const { return latest_; }
 
   private:
-    std::map<int, Report> latest_;
+    std::vector<Message> fresh_;
+    std::vector<Report> latest_;
 };
 
 }  // namespace k3d::agent::talk

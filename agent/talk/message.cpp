@@ -90,6 +90,12 @@ std::uint32_t check_of(const Symbols& symbols) {
 }  // namespace
 
 std::string encode(const Message& message) {
+    std::string text;
+    encode(message, text);
+    return text;
+}
+
+void encode(const Message& message, std::string& text) {
     BitWriter w;
     w.put(static_cast<std::uint32_t>(std::clamp(message.unum, 0, kMaxUnum)), 4);
     w.put_point(message.position);
@@ -105,12 +111,11 @@ std::string encode(const Message& message) {
     w.put(static_cast<std::uint32_t>(std::clamp(message.k2, 0, kMaxUnum)), 4);
     w.put(static_cast<std::uint32_t>(message.kicks) & 15U, 4);
 
-    std::string text(1, kTag);
+    text.assign(1, kTag);
     for (const std::uint8_t symbol : w.symbols) text += kAlphabet[symbol];
     const std::uint32_t check = check_of(w.symbols);
     text += kAlphabet[check / 64];
     text += kAlphabet[check % 64];
-    return text;
 }
 
 std::optional<Message> decode(std::string_view text) {

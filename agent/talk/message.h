@@ -30,6 +30,8 @@ struct Message {
 /// At most kMessageBytes bytes of 0x21..0x7E without parentheses. Values outside the field are
 /// clamped to it.
 std::string encode(const Message& message);
+/// The same in place of what `text` held.
+void encode(const Message& message, std::string& text);
 
 /// None if the text is not such a message (another team's, damaged): checked by length, alphabet
 /// and a check symbol.

@@ -87,6 +87,7 @@ void PlayerTracks::reseat(const Pose2& from, const Pose2& to) {
 void PlayerTracks::report_team(const Team& team, bool mate, double now, int left_out,
                                std::vector<Player>& players) const {
     players.clear();
+    players.reserve(kMaxUnum);
     for (int unum = 1; unum <= kMaxUnum; ++unum) {
         const Track& track = team[static_cast<std::size_t>(unum - 1)];
         if (unum == left_out || now - track.seen > players_.memory) continue;

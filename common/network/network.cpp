@@ -112,13 +112,28 @@ Network::Network(Definition definition, std::string_view source)
 }
 
 State Network::start() const {
-    return {std::vector<double>(definition_.inputs.size() + definition_.nodes.size(), 0.0)};
+    State state;
+    start(state);
+    return state;
+}
+
+void Network::start(State& state) const {
+    state.values.assign(definition_.inputs.size() + definition_.nodes.size(), 0.0);
 }
 
 std::vector<double> Network::evaluate(std::span<const double> inputs, State& state) const {
+    std::vector<double> results(outputs_.size());
+    evaluate(inputs, state, results);
+    return results;
+}
+
+void Network::evaluate(std::span<const double> inputs, State& state,
+                       std::span<double> outputs) const {
+    K3D_ASSERT(outputs.size() == outputs_.size());
     K3D_ASSERT(inputs.size() == definition_.inputs.size());
     K3D_ASSERT(state.values.size() == definition_.inputs.size() + definition_.nodes.size());
-    const std::vector<double> before = state.values;
+    state.before = state.values;
+    const std::vector<double>& before = state.before;
     std::vector<double>& values = state.values;
     for (std::size_t i = 0; i < inputs.size(); ++i)
         values[i] = (inputs[i] - definition_.inputs[i].offset) * definition_.inputs[i].scale;
@@ -130,10 +145,7 @@ std::vector<double> Network::evaluate(std::span<const double> inputs, State& sta
         sum = std::min(kLargest, std::max(-kLargest, sum));
         values[step.slot] = activate(step.activation, sum);
     }
-    std::vector<double> results;
-    results.reserve(outputs_.size());
-    for (const std::size_t slot : outputs_) results.push_back(values[slot]);
-    return results;
+    for (std::size_t i = 0; i < outputs_.size(); ++i) outputs[i] = values[outputs_[i]];
 }
 
 void require_shape(const Network& network, std::span<const std::string_view> inputs,

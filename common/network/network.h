@@ -69,6 +69,7 @@ std::string to_json(const Definition& definition);
 /// Values of all nodes in the evaluation before; what recurrent links read.
 struct State {
     std::vector<double> values;
+    std::vector<double> before;  ///< of no meaning between evaluations: kept for its memory
 };
 
 /// A checked definition, ready to evaluate. Immutable.
@@ -79,12 +80,15 @@ class Network {
 
     const Definition& definition() const { return definition_; }
     State start() const;  ///< all values 0
+    void start(State& state) const;  ///< the same in the memory of another one
 
     /// One value per output, in the order of the definition.
     /// `inputs` has one value per input; aborts otherwise (check definition() where the network
     /// is loaded). A value that overflows is clamped to +-1e30, so results are always finite for
     /// finite inputs.
     std::vector<double> evaluate(std::span<const double> inputs, State& state) const;
+    /// The same into `outputs`, one element per output, without taking memory.
+    void evaluate(std::span<const double> inputs, State& state, std::span<double> outputs) const;
 
   private:
     struct Edge {

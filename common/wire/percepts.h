@@ -86,6 +86,13 @@ struct Percepts {
     std::bitset<nao::kJointCount> has_joint;
     std::array<std::optional<FootForce>, kFootSensorCount> feet;
     std::optional<See> see;             ///< absent in cycles without vision
+
+    /// Of no meaning: what a frame lacks lends its memory to one that has it, in decode().
+    struct Spare {
+        See see;
+        std::vector<Heard> heard;
+    };
+    Spare spare;
 };
 
 /// Appends the frame's payload (no length prefix) to `out`, in the order of reference 3.2.

@@ -11,6 +11,9 @@ namespace {
 using sexpr::Node;
 
 constexpr int kMaxUnum = 11;
+// What a full See holds; more only takes more memory.
+constexpr std::size_t kUsualPlayers = 21;
+constexpr std::size_t kUsualLines = 32;
 constexpr std::string_view kFootNames[kFootSensorCount] = {"rf", "lf", "rf1", "lf1"};
 
 /// The number after `previous`; moves `previous` on to it.
@@ -92,20 +95,30 @@ class Decoder {
     explicit Decoder(Percepts& percepts) : percepts_(percepts) {}
 
     int run(std::string_view payload) {
+        reset();
         // Kept between calls only for its memory.
         static thread_local sexpr::Document document;
-        reset();
         int faults = document.parse(payload) == sexpr::Error::None ? 0 : 1;
         for (auto node = document.first(); node; node = node->next()) faults += group(*node);
         if (!has_game_) percepts_.game.reset();
-        if (!has_see_) percepts_.see.reset();
+        if (!has_see_ && percepts_.see) {
+            percepts_.spare.see = std::move(*percepts_.see);
+            percepts_.see.reset();
+        }
         return faults;
     }
 
   private:
     /// Empties the frame but for the memory of game and See, which most frames use again.
     void reset() {
+        constexpr std::size_t kKept = 8;
+        percepts_.heard.reserve(kKept);
+        percepts_.spare.heard.reserve(kKept);
         percepts_.time = 0.0;
+        for (Heard& heard : percepts_.heard) {
+            auto& kept = percepts_.spare.heard;
+            if (kept.size() < kKept) kept.push_back(std::move(heard));
+        }
         percepts_.heard.clear();
         percepts_.gyro_deg = Vec3::Zero();
         percepts_.acceleration = Vec3::Zero();
@@ -204,11 +217,17 @@ class Decoder {
         const auto direction = time->next();
         const auto text = direction->next();
         if (team->is_list() || !time->number() || text->is_list()) return 1;
-        Heard heard;
+        std::optional<double> direction_deg;
         if (direction->atom() != "self") {
-            heard.direction_deg = direction->number();
-            if (!heard.direction_deg) return 1;
+            direction_deg = direction->number();
+            if (!direction_deg) return 1;
         }
+        Heard heard;
+        if (auto& kept = percepts_.spare.heard; !kept.empty()) {
+            heard = std::move(kept.back());
+            kept.pop_back();
+        }
+        heard.direction_deg = direction_deg;
         heard.team = team->atom();
         heard.time = *time->number();
         heard.text = text->atom();
@@ -217,12 +236,14 @@ class Decoder {
     }
 
     int see(const Node& node) {
-        if (!percepts_.see) percepts_.see.emplace();
+        if (!percepts_.see) percepts_.see.emplace(std::move(percepts_.spare.see));
         See& view = *percepts_.see;
         view.landmarks.fill(std::nullopt);
         view.ball.reset();
         view.players.clear();
+        view.players.reserve(kUsualPlayers);
         view.lines.clear();
+        view.lines.reserve(kUsualLines);
         view.my_position.reset();
         view.my_orientation_deg.reset();
         view.ball_position.reset();

@@ -138,8 +138,10 @@ void World::remove_mechanism(const dxBody* first) {
                   [first](const Mechanism& m) { return m.bodies.front() == first; });
 }
 
-void World::step() {
+void World::step(StageClock* stages) {
+    if (stages != nullptr) stages->enter(Stage::Collision);
     const std::vector<Touch>& touches = impl_->collision.find();
+    if (stages != nullptr) stages->enter(Stage::Physics);
     if (impl_->fast) {
         impl_->fast->step(touches, impl_->contacts);
     } else {

@@ -14,6 +14,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "common/clock/stage_clock.h"
 #include "common/math/geometry.h"
 #include "common/nao/model.h"
 #include "server/physics/mechanism.h"
@@ -90,8 +91,8 @@ class World {
     /// The mechanism with this first body; before its bodies and hinges are destroyed.
     void remove_mechanism(const dxBody* first);
 
-    /// Collision, drag, one step of 20 ms. Throws Diverged.
-    void step();
+    /// Collision, drag, one step of 20 ms. Throws Diverged. `stages` is told what begins.
+    void step(StageClock* stages = nullptr);
 
     std::span<const Contact> contacts() const;  ///< of the last step
 

@@ -145,6 +145,26 @@ TEST_F(Match, KeepersHoldTheBallLongerThanTheyWouldByStandingStill) {
     EXPECT_LE(falls, 5.0 * hold / 60.0 + 1.0) << "one per player and minute";
 }
 
+TEST_F(Match, BenchPrintsWhatEachStageAndStepperCosts) {
+    process::Spawn spawn;
+    spawn.arguments = {std::string(K3D_BIN_DIR) + "/k3d-optimizer", "bench", "--episodes", "1",
+                       "--limit-s", "2", "--keepers", "1", "--takers", "1"};
+    spawn.log_file = file("bench.log");
+    process::Child child(spawn);
+    const auto exit = child.wait(kMatchPatience);
+    const std::string said = text("bench.log");
+    ASSERT_TRUE(exit && exit->code == 0) << said;
+    for (const char* row : {"simulated s per core-s", "server, physics", "server, collision",
+                            "server, percepts", "server, wire", "2 agents", "episode of 1 s"}) {
+        EXPECT_NE(said.find(row), std::string::npos) << said;
+    }
+    const auto at = said.find("  server, physics") + std::string("  server, physics").size();
+    double exact = 0.0, fast = 0.0;
+    std::istringstream(said.substr(at)) >> exact >> fast;
+    EXPECT_GT(exact, 0.0) << said;
+    EXPECT_GT(fast, 0.0) << said;
+}
+
 TEST_F(Match, ForeignProgramsTakeAnySeatAndSeeNoGroundTruth) {
     const std::string recorder = std::string(K3D_BIN_DIR) + "/frame_recorder {host} {port} {unum} "
                                  "{team} " + file("frames");

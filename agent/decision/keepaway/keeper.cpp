@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 
 #include "agent/skills/look.h"
@@ -11,18 +12,13 @@
 namespace k3d::agent::decision {
 namespace {
 
+constexpr std::size_t kMostRobots = 22;
+
 double nearest_taker(const world::Beliefs& b, const Vec2& point) {
     double nearest = std::numeric_limits<double>::infinity();
     for (const world::Player& taker : b.opponents)
         nearest = std::min(nearest, (taker.position - point).norm());
     return nearest;
-}
-
-std::vector<skills::Obstacle> robots_of(const world::Beliefs& b, double clearance) {
-    std::vector<skills::Obstacle> robots;
-    for (const auto& p : b.mates) robots.push_back({p.position, clearance});
-    for (const auto& p : b.opponents) robots.push_back({p.position, clearance});
-    return robots;
 }
 
 Vec2 inside(const Vec2& point, double half) {
@@ -43,7 +39,11 @@ Keeper::Keeper(const KeeperSettings& settings, Policy policy, const skills::Kick
       kick_(kick),
       choices_(choices),
       grid_(target_grid(settings.keepaway.side, settings.evaluation)),
-      possession_(make_possession(settings.possession, settings.skills, kick)) {}
+      possession_(make_possession(settings.possession, settings.skills, kick)) {
+    situation_.takers.reserve(kMostRobots);
+    situation_.receivers.reserve(kMostRobots);
+    obstacles_.reserve(kMostRobots + 1);
+}
 
 Decision Keeper::decide(const world::Beliefs& b, const motion::State& body,
                         std::span<const talk::Report> reports) {
@@ -129,6 +129,7 @@ motion::BodyRequest Keeper::act_k1(const world::Beliefs& b, const motion::State&
     const double near = nearest_taker(b, b.ball.position);
     const double pressure = std::clamp(
         (c.pressure_far - near) / std::max(c.pressure_far - c.pressure_near, 1e-6), 0.0, 1.0);
+    skills::robots_of(b, settings_.skills.robot_clearance, obstacles_);
     const PossessionInput input{
         .beliefs = b,
         .body = body,
@@ -138,7 +139,7 @@ motion::BodyRequest Keeper::act_k1(const world::Beliefs& b, const motion::State&
         .may_kick = near <= c.hold_threshold && policy_.kind != Policy::Kind::Hold,
         .committed = committed,
         .half_area = settings_.keepaway.side / 2.0 - c.stance_margin,
-        .robots = robots_of(b, settings_.skills.robot_clearance),
+        .robots = obstacles_,
     };
     motion::BodyRequest request = possession_.get_skill(input);
     account.skill = possession_.state_name();
@@ -148,7 +149,9 @@ motion::BodyRequest Keeper::act_k1(const world::Beliefs& b, const motion::State&
 
 void Keeper::choose_target(const world::Beliefs& b, Account& account) {
     // A ball on its way is judged where it will be when it can be kicked.
-    PassSituation situation;
+    PassSituation& situation = situation_;
+    situation.takers.clear();
+    situation.receivers.clear();
     situation.ball = b.ball.moving ? b.ball.finish : b.ball.position;
     for (const auto& taker : b.opponents) situation.takers.push_back({taker.position, taker.lagged});
     for (const auto& mate : b.mates) situation.receivers.push_back(mate.position);
@@ -161,13 +164,13 @@ void Keeper::choose_target(const world::Beliefs& b, Account& account) {
         const double keep = near <= c.hold_threshold ? c.commit_margin : c.target_margin;
         const bool panic = near < c.panic_distance &&
                            (b.self.pose.position - b.ball.position).norm() < c.panic_distance;
-        const Room room = [&](const Vec2& p) {
+        const auto room = [&](const Vec2& p) {
             const double turn = std::abs(wrap_angle(yaw_of(p - situation.ball) - b.self.pose.yaw));
             if (panic && turn > c.panic_angle) return c.panic_angle - turn;
             return room_for(p, situation.ball);
         };
-        const Target best = best_target(grid_, situation, policy_, settings_.evaluation, room,
-                                        target_, keep);
+        const Target best = best_target(grid_, situation, policy_, settings_.evaluation,
+                                        std::ref(room), target_, keep);
         target_ = best.point;
         account.cost = best.cost;
     }
@@ -190,12 +193,12 @@ double Keeper::room_for(const Vec2& target, const Vec2& ball) const {
 }
 
 motion::BodyRequest Keeper::walk_and_watch(const world::Beliefs& b, const Vec2& place) {
-    std::vector<skills::Obstacle> obstacles = robots_of(b, settings_.skills.robot_clearance);
-    if (b.ball.known) obstacles.push_back({b.ball.position, settings_.skills.ball_clearance});
+    skills::robots_of(b, settings_.skills.robot_clearance, obstacles_);
+    if (b.ball.known) obstacles_.push_back({b.ball.position, settings_.skills.ball_clearance});
     const double half = settings_.keepaway.side / 2.0 - settings_.keeper.area_margin;
     const Vec2 goal = inside(place, half);
     const double yaw = yaw_of(b.ball.position - b.self.pose.position);
-    return go_to_.step(b.self.pose, {goal, yaw}, obstacles, settings_.skills);
+    return go_to_.step(b.self.pose, {goal, yaw}, obstacles_, settings_.skills);
 }
 
 }  // namespace k3d::agent::decision

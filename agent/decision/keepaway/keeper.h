@@ -64,6 +64,8 @@ class Keeper {
     std::optional<Vec2> home_;        ///< where this keeper was born
     std::optional<Vec2> target_;      ///< while K1
     std::optional<motion::Kick> swing_;  ///< the kick asked for last or under way
+    PassSituation situation_;                  ///< of this cycle; kept for its memory
+    std::vector<skills::Obstacle> obstacles_;  ///< likewise
     int k2_ = 0;
     int kicks_ = 0;
     bool was_k1_ = false;

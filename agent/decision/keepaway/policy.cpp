@@ -43,12 +43,15 @@ Policy load_policy(const std::string& name) {
 Target best_target(const std::vector<Vec2>& grid, const PassSituation& situation,
                    const Policy& policy, const EvaluationConfig& config, const Room& room,
                    const std::optional<Vec2>& previous, double keep) {
+    static thread_local network::State state;  // kept between calls only for its memory
     const auto cost_at = [&](const Vec2& point) {
         const Features f = features_at(point, situation, config.ideal_pass_m);
         if (!policy.cost) return hand_coded_cost(f, config);
         // Each point is judged on its own: recurrent links of a network start from zero.
-        network::State state = policy.cost->start();
-        return policy.cost->evaluate(f, state).front();
+        policy.cost->start(state);
+        double cost = 0.0;
+        policy.cost->evaluate(f, state, std::span(&cost, 1));
+        return cost;
     };
     std::optional<Target> best;
     std::optional<Target> kept;

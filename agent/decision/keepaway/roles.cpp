@@ -3,10 +3,13 @@
 #include "agent/decision/keepaway/roles.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 
 namespace k3d::agent::decision {
 namespace {
+
+constexpr std::size_t kMostMates = 10;
 
 struct Candidate {
     int unum;
@@ -59,18 +62,20 @@ int RoleKeeper::judge(const world::Beliefs& b, std::span<const talk::Report> rep
                    b.now - r.heard <= c.claim_memory;
         });
     };
-    std::vector<Candidate> candidates;
+    std::array<Candidate, 1 + kMostMates> list;
+    std::size_t count = 0;
     const auto add = [&](int unum, const Vec2& position, bool fallen, bool claims) {
         const double distance = (position - b.ball.finish).norm() +
                                 (fallen ? c.fallen_penalty : 0.0) -
                                 (unum == k1_ ? c.role_hysteresis : 0.0);
-        candidates.push_back({unum, distance, claims});
+        list[count++] = {unum, distance, claims};
     };
     const int me = b.game.unum;
     add(me, b.self.pose.position, !b.self.upright, k1_ == me);
-    for (const world::Player& mate : b.mates)
+    for (const world::Player& mate : std::span(b.mates).first(std::min(b.mates.size(), kMostMates)))
         add(mate.unum, mate.position, mate.fallen, says(mate.unum, true));
 
+    const std::span<const Candidate> candidates(list.data(), count);
     const Candidate nearest = *std::min_element(
         candidates.begin(), candidates.end(), [](const Candidate& x, const Candidate& y) {
             return x.distance != y.distance ? x.distance < y.distance : x.unum < y.unum;

@@ -17,13 +17,6 @@ const world::Player* find(const std::vector<world::Player>& players, int unum) {
     return found == players.end() ? nullptr : &*found;
 }
 
-std::vector<skills::Obstacle> robots_of(const world::Beliefs& b, double clearance) {
-    std::vector<skills::Obstacle> robots;
-    for (const auto& p : b.mates) robots.push_back({p.position, clearance});
-    for (const auto& p : b.opponents) robots.push_back({p.position, clearance});
-    return robots;
-}
-
 }  // namespace
 
 bool PassWatch::update(const world::Beliefs& b, const TakerConfig& c) {
@@ -63,11 +56,13 @@ bool PassWatch::update(const world::Beliefs& b, const TakerConfig& c) {
 Taker::Taker(const TakerConfig& config, const skills::SkillConfig& skills, RandomStream choices)
     : greedy_(config.strategy == "greedy"), config_(config), skills_(skills), choices_(choices) {
     skills_.forward_speed = std::min(skills_.forward_speed, config.top_speed);
+    robots_.reserve(22);
 }
 
 Decision Taker::decide(const world::Beliefs& b, const motion::State& body) {
     Decision d;
     d.request.head = skills::look(b, body, false, skills_);
+    skills::robots_of(b, skills_.robot_clearance, robots_);
     if (!greedy_ && watch_.update(b, config_)) pick(b);
     const bool chase = is_chaser(b);
     d.account.role = chase ? "chaser" : "follower";
@@ -84,8 +79,7 @@ Decision Taker::decide(const world::Beliefs& b, const motion::State& body) {
     } else if (chase) {
         d.account.skill = "chase";
         d.account.target = b.ball.position;
-        d.request.body = skills::walk_onto(b.self.pose, b.ball.position,
-                                           robots_of(b, skills_.robot_clearance), skills_);
+        d.request.body = skills::walk_onto(b.self.pose, b.ball.position, robots_, skills_);
     } else {
         d.request.body = follow(b, d.account);
     }
@@ -130,7 +124,7 @@ motion::BodyRequest Taker::follow(const world::Beliefs& b, Account& account) {
                           : b.self.pose.position;
     account.target = goal;
     const double yaw = yaw_of(b.ball.position - b.self.pose.position);
-    return go_to_.step(b.self.pose, {goal, yaw}, robots_of(b, skills_.robot_clearance), skills_);
+    return go_to_.step(b.self.pose, {goal, yaw}, robots_, skills_);
 }
 
 }  // namespace k3d::agent::decision

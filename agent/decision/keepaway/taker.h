@@ -5,6 +5,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "agent/decision/config.h"
 #include "agent/decision/decision.h"
@@ -51,6 +52,7 @@ class Taker {
     RandomStream choices_;
     PassWatch watch_;
     skills::GoTo go_to_;
+    std::vector<skills::Obstacle> robots_;  ///< of this cycle; kept for its memory
     int followed_ = 0;
     int chaser_ = 0;  ///< unum of the taker nearest to the ball, of all takers
 };

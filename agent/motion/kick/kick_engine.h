@@ -17,7 +17,9 @@ namespace k3d::agent::kick {
 
 class KickEngine {
   public:
-    explicit KickEngine(const Config& config) : config_(config) {}
+    explicit KickEngine(const Config& config) : config_(config) {
+        frames_.reserve(16);  // more than any swing has
+    }
 
     /// Begins a kick with the foot nearer to the ball's place; `stand` is the pose to end in.
     void start(const motion::Kick& kick, const nao::JointArray& stand);

@@ -20,7 +20,10 @@ wire::Commands at(double now, const std::string& mode, Limits limits, bool talks
     }
     nao::JointArray rates{};
     rates[nao::index(nao::JointId::HeadYaw)] = 0.5;
-    return compose(nao::model(0), rates, d, b, limits);
+    wire::Commands commands;
+    commands.say = {"left from before"};
+    compose(nao::model(0), rates, d, b, limits, commands);
+    return commands;
 }
 
 TEST(Compose, AllJointsOfTheTypeAndSynLast) {

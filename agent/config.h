@@ -34,7 +34,7 @@ struct Config {
     motion::Config motion;
 
     void describe(config::Fields& f) {
-        f.text("role", role, {"auto", "keeper", "taker", "drill"},
+        f.text("role", role, {"auto", "keeper", "taker", "drill", "soccer"},
                "auto: the left team keeps, the right takes; drill: practises one skill alone");
         f.integer("robot_type", robot_type, {0, 4}, "", "type of Nao");
         f.seed("seed", seed, "seed of this agent's random streams, together with team and number");

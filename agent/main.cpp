@@ -31,7 +31,7 @@ struct Options {
 /// Flags that are short names of configuration paths.
 const std::vector<k3d::config::ShortFlag> kFlags{
     {"--type", "robot_type", "type of Nao, 0-4 (default 0)"},
-    {"--role", "role", "keeper, taker, drill or auto: left keeps, right takes (default auto)"},
+    {"--role", "role", "keeper, taker, drill, soccer or auto: left keeps, right takes (default auto)"},
     {"--keeper-policy", "keeper.policy", "handcoded, still, hold, random or a network file"},
     {"--taker", "taker.strategy", "greedy or greedy_random (default greedy)"},
     {"--keepers", "keepaway.keepers", "keepers in the game (default 3)"},

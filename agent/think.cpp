@@ -55,7 +55,7 @@ void Mind::think(std::string_view payload, std::string& reply) {
     motion_.act(sense_, decision.request, rates_);
 
     // One frame out, and an account of why.
-    const action::Limits limits{config_.keepaway.keepers, config_.beam};
+    const action::Limits limits{config_.keepaway.keepers, config_.beam || config_.role == "soccer"};
     reply.clear();
     action::compose(model_, rates_, decision, beliefs, limits, commands_);
     wire::encode(commands_, reply);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <utility>
 
 #include "common/log/log.h"
 #include "server/cycle.h"
@@ -167,7 +168,6 @@ void Simulation::act(session::AgentSession& agent) {
     commands.joint_rates = {};
     commands.say.clear();
     commands.syn = false;
-    commands.pass = false;  // pass mode exists in soccer proper only
 }
 
 void Simulation::say(session::AgentSession& agent, const std::string& text) {
@@ -208,6 +208,10 @@ void Simulation::carry_out_stored_commands() {
                             *agent->beam_noise);
         }
         agent->commands.beam.reset();
+        auto* soccer = std::get_if<game::Soccer>(&game_);
+        if (std::exchange(agent->commands.pass, false) && agent->player && soccer != nullptr) {
+            soccer->pass(*scene_, *scene_->find(*agent->player));
+        }
     }
 }
 

@@ -111,6 +111,7 @@ class Simulation {
     void begin_episode();
     void begin_percepts(session::AgentSession& agent);
     void finish_episode();
+    void tell(const episode::Result& result) const;
     void check_lobby_deadline();
 
     Config config_;

@@ -36,6 +36,11 @@ int seats(const Config& config, wire::Side side) {
     return left ? config.pace.lobby_left : config.pace.lobby_right;
 }
 
+std::optional<session::TypeQuotas> quotas(const Config& config) {
+    if (is_keepaway(config) || !config.soccer.type_quotas) return std::nullopt;
+    return session::TypeQuotas{};
+}
+
 std::uint16_t port(int number) { return static_cast<std::uint16_t>(number); }
 
 }  // namespace
@@ -45,10 +50,7 @@ Simulation::Simulation(const Config& config, const Files& files)
       files_(files),
       pacer_(config.pace),
       teams_(config.left_team, config.right_team, seats(config, wire::Side::Left),
-             seats(config, wire::Side::Right),
-             is_keepaway(config) || !config.soccer.type_quotas
-                 ? std::nullopt
-                 : std::optional(session::TypeQuotas{})),
+             seats(config, wire::Side::Right), quotas(config)),
       monitors_(pacer_.waits_for_agents(),
                 [this](int number) {
                     if (recorder_) recorder_->left(number, "left");
@@ -211,15 +213,16 @@ void Simulation::begin_episode() {
     if (is_keepaway(config_)) {
         game_.emplace<game::Keepaway>(config_.keepaway, seed, *scene_);
     } else {
+        game_.emplace<game::Soccer>(config_.soccer);
         for (const auto& agent : agents_) {
             if (agent->seat) line_up(*agent);
         }
     }
     game::state(game_).team_left = teams_.left();
     game::state(game_).team_right = teams_.right();
-    if (!is_keepaway(config_)) return;
-    spdlog::info("episode {} of {}, seed {}: '{}' keep the ball from '{}'", episode_,
-                 config_.episodes, seed, teams_.left(), teams_.right());
+    spdlog::info("{} {} of {}, seed {}: '{}' {} '{}'", config_.game, episode_, config_.episodes,
+                 seed, teams_.left(), is_keepaway(config_) ? "keep the ball from" : "against",
+                 teams_.right());
 }
 
 void Simulation::begin_percepts(session::AgentSession& agent) {
@@ -235,27 +238,35 @@ void Simulation::begin_percepts(session::AgentSession& agent) {
 
 void Simulation::finish_episode() {
     if (cycles_since_over_++ < kGameOverCycles) return;
-    if (const auto* keepaway = std::get_if<game::Keepaway>(&game_)) {
-        episode::Result result = keepaway->result();
-        result.state_hash = fmt::format("{:016x}", hash_);
-        result.code_version = code_version();
-        const std::string line = episode::to_line(result);
+    episode::Result result = game::result(game_);
+    result.seed = config_.seed + static_cast<std::uint64_t>(episode_ - 1);
+    result.state_hash = fmt::format("{:016x}", hash_);
+    result.code_version = code_version();
+    tell(result);
+    const bool lost = result.status == episode::Status::AgentLost;
+    if (lost) outcome_ = Outcome::AgentLost;
+    if (!lost && episode_ < config_.episodes && has_lobby(config_)) {
+        ++episode_;
+        begin_episode();
+        return;
+    }
+    end_ = true;
+}
+
+void Simulation::tell(const episode::Result& result) const {
+    if (is_keepaway(config_)) {
         spdlog::info("episode {}: {} ({}), hold time {:.2f} s, {} kicks, {} passes", episode_,
                      episode::name(result.status), result.reason, result.hold_time_s, result.kicks,
                      result.passes_completed);
-        if (!files_.results.empty()) {
-            std::ofstream file(files_.results, std::ios::app);
-            file << line << '\n' << std::flush;
-            if (!file) spdlog::error("cannot write results to {}", files_.results);
-        }
-        if (result.status == episode::Status::AgentLost) outcome_ = Outcome::AgentLost;
-        if (episode_ < config_.episodes && result.status != episode::Status::AgentLost) {
-            ++episode_;
-            begin_episode();
-            return;
-        }
+    } else {
+        const game::GameState& state = game::state(game_);
+        spdlog::info("match {}: '{}' {} : {} '{}'", episode_, teams_.left(), state.score_left,
+                     state.score_right, teams_.right());
     }
-    end_ = true;
+    if (files_.results.empty()) return;
+    std::ofstream file(files_.results, std::ios::app);
+    file << episode::to_line(result) << '\n' << std::flush;
+    if (!file) spdlog::error("cannot write results to {}", files_.results);
 }
 
 }  // namespace k3d::server

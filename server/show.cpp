@@ -51,7 +51,11 @@ void Simulation::show_page() {
     view_.episode = config_.first_episode + episode_ - 1;
     view_.ball = {scene_->ball.position(), scene_->ball.rotation()};
     view_.area.reset();
-    if (config_.game == "keepaway") view_.area = Vec2::Constant(config_.keepaway.side);
+    if (config_.game == "keepaway") {
+        const auto* keepaway = std::get_if<game::Keepaway>(&game_);
+        view_.area = Vec2::Constant(keepaway != nullptr ? keepaway->side()
+                                                        : config_.keepaway.start_side());
+    }
     view_.robots.resize(scene_->players.size());
     for (std::size_t i = 0; i < scene_->players.size(); ++i) {
         const body::Player& player = *scene_->players[i];

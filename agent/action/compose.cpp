@@ -2,14 +2,14 @@
 // From decision and joint speeds to commands.
 #include "agent/action/compose.h"
 
+#include "agent/decision/soccer/formation.h"
 #include "agent/talk/slots.h"
 
 namespace k3d::agent::action {
 
-wire::BeamCommand kick_off_place(int unum) {
-    const int row = (unum - 1) / 4;
-    const int column = (unum - 1) % 4;
-    return {-3.0 - 2.0 * row, -4.5 + 3.0 * column, 0.0};
+wire::BeamCommand kick_off_beam(int unum) {
+    const Vec2 place = decision::kick_off_place(unum);
+    return {place.x(), place.y(), 0.0};
 }
 
 void compose(const nao::Model& model, const nao::JointArray& rates,
@@ -21,7 +21,7 @@ void compose(const nao::Model& model, const nao::JointArray& rates,
         commands.joint_rates[nao::index(joint.id)] = rates[nao::index(joint.id)];
     const bool may_beam = b.game.play_mode == "BeforeKickOff" || b.game.play_mode == "Goal_Left" ||
                           b.game.play_mode == "Goal_Right";
-    if (limits.beam && may_beam && b.game.unum > 0) commands.beam = kick_off_place(b.game.unum);
+    if (limits.beam && may_beam && b.game.unum > 0) commands.beam = kick_off_beam(b.game.unum);
     const bool speaks = decision.say && talk::may_speak(b.now, b.game.unum, limits.keepers);
     // Between two turns to speak the text waits here, only for its memory.
     static thread_local std::string silent;

@@ -23,6 +23,6 @@ void compose(const nao::Model& model, const nao::JointArray& rates,
              const Limits& limits, wire::Commands& commands);
 
 /// Where player `unum` beams to: in the own half, looking at the opponents' goal; team frame.
-wire::BeamCommand kick_off_place(int unum);
+wire::BeamCommand kick_off_beam(int unum);
 
 }  // namespace k3d::agent::action

@@ -13,10 +13,15 @@ Player::Player(const PlayerSettings& s, const skills::KickGeometry& kick)
               RandomStream(s.seed, s.entity, "target")),
       taker_(s.taker, s.keeper.skills, RandomStream(s.seed, s.entity, "follow")),
       drill_(s.drill, s.keeper.possession, s.keeper.skills, kick,
-             RandomStream(s.seed, s.entity, "drill")) {}
+             RandomStream(s.seed, s.entity, "drill")),
+      soccer_(s.keeper.possession, s.keeper.skills, kick) {}
 
 Decision Player::decide(const world::Beliefs& b, const motion::State& body,
                         std::span<const talk::Report> reports) {
+    const bool paused = b.game.play_mode == "BeforeKickOff" || b.game.play_mode == "GameOver" ||
+                        b.game.play_mode.starts_with("Goal_");
+    if (role_ == "soccer" && !paused && b.game.side != wire::Side::None)
+        return soccer_.decide(b, body);
     const bool keeps = role_ == "keeper" || (role_ == "auto" && b.game.side == wire::Side::Left);
     const bool plays = b.game.play_mode == "PlayOn" && b.game.side != wire::Side::None;
     if (plays && role_ == "drill") return drill_.decide(b, body);

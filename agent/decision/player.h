@@ -9,11 +9,12 @@
 #include "agent/decision/drill/drill.h"
 #include "agent/decision/keepaway/keeper.h"
 #include "agent/decision/keepaway/taker.h"
+#include "agent/decision/soccer/soccer_player.h"
 
 namespace k3d::agent::decision {
 
 struct PlayerSettings {
-    std::string role = "auto";  ///< auto, keeper, taker, drill
+    std::string role = "auto";  ///< auto, keeper, taker, drill, soccer
     KeeperSettings keeper;
     TakerConfig taker;
     DrillConfig drill;
@@ -36,6 +37,7 @@ class Player {
     Keeper keeper_;
     Taker taker_;
     Drill drill_;
+    SoccerPlayer soccer_;
 };
 
 }  // namespace k3d::agent::decision

@@ -12,6 +12,23 @@ inline constexpr double kClearDistance = 2.5;  ///< that a player in the way is 
 /// leave the field.
 Vec3 sent_back(const Vec3& torso, const Vec3& from, wire::Side team);
 
+/// A rectangle on the ground.
+struct Area {
+    double min_x, max_x, min_y, max_y;
+
+    bool contains(const Vec2& p) const {
+        return p.x() >= min_x && p.x() <= max_x && p.y() >= min_y && p.y() <= max_y;
+    }
+};
+
+/// Sends the players of `team` with any part nearer than `radius` to `centre` back from it.
+void clear_circle(body::Scene& scene, const Vec3& centre, double radius, wire::Side team);
+/// Sends the players of `team` with any part in `area` back behind it, those wholly within
+/// `spared_radius` of the centre spot excepted.
+void clear_area(body::Scene& scene, const Area& area, wire::Side team, double spared_radius = 0.0);
+/// Pushes the players of `team` whose torso is nearer than `radius` out to radius + pad.
+void repel(body::Scene& scene, const Vec3& centre, double radius, double pad, wire::Side team);
+
 /// Sends every player that stands nearer to the ball than the free-kick distance away from it.
 void clear_ball(body::Scene& scene);
 

@@ -20,7 +20,9 @@ struct GameState {
     int score_right = 0;
     std::string team_left, team_right;  ///< empty until known
 
+    /// To be in a mode already changes nothing.
     void enter(PlayMode next) {
+        if (mode == next) return;
         mode = next;
         mode_time = 0.0;
     }

@@ -4,6 +4,8 @@
 #include <cmath>
 
 #include "common/field/field.h"
+#include "server/game/keepaway/league_rules.h"
+#include "server/game/keepaway/paper_rules.h"
 
 namespace k3d::server::game {
 
@@ -20,10 +22,6 @@ const Pose2& start_pose(const Start& start, const body::Player& player) {
 void place(body::Player& player, const Pose2& pose) {
     const double height = player.robot->model().standing_height + kDropHeight;
     player.robot->place({pose.position.x(), pose.position.y(), height}, pose.yaw);
-}
-
-bool in_torso_column(nao::Part part) {
-    return part == nao::Part::Torso || part == nao::Part::Neck || part == nao::Part::Head;
 }
 
 }  // namespace
@@ -85,34 +83,12 @@ void Keepaway::count(const body::Scene& scene) {
 }
 
 std::optional<std::string> Keepaway::broken_rule(const body::Scene& scene) const {
-    if (taker_at_ball(scene)) return "taker_reached_ball";
-    if (outside(scene.ball.position())) return "ball_out";
-    for (const auto& player : scene.players) {
-        if (player->team == wire::Side::Left && outside(player->robot->torso_position())) {
-            return "keeper_out";
-        }
-    }
-    return std::nullopt;
+    return config_.league() ? broken_league_rule(config_, scene, state_.time)
+                            : broken_paper_rule(config_, scene);
 }
 
-bool Keepaway::taker_at_ball(const body::Scene& scene) const {
-    const bool any_part = config_.taker_part == "any_part";
-    const Vec2 ball = scene.ball.position().head<2>();
-    for (const auto& player : scene.players) {
-        if (player->team != wire::Side::Right) continue;
-        const auto& bodies = player->robot->model().bodies;
-        for (std::size_t i = 0; i < bodies.size(); ++i) {
-            if (!any_part && !in_torso_column(bodies[i].part)) continue;
-            const Vec2 part = player->robot->position(i).head<2>();
-            if ((part - ball).norm() < config_.taker_reach) return true;
-        }
-    }
-    return false;
-}
-
-bool Keepaway::outside(const Vec3& point) const {
-    const double half = config_.side / 2.0;
-    return std::abs(point.x()) > half || std::abs(point.y()) > half;
+double Keepaway::side() const {
+    return config_.league() ? league_side(config_, state_.time) : config_.side;
 }
 
 void Keepaway::abort(episode::Status status, const std::string& reason) { end(status, reason); }
@@ -134,7 +110,7 @@ episode::Result Keepaway::result() const {
     result.kicks = passes_.kicks();
     result.passes_completed = passes_.passes();
     result.players = log_.results(result.hold_time_s);
-    result.metrics = {{"side_m", config_.side}};
+    result.metrics = {{"side_m", side()}};
     return result;
 }
 

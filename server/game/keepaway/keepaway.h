@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The keepaway game: start, referee and result (paper section 2).
+// The keepaway game: start, referee and result, what the paper's and the league's rules share.
 //
 // Left team = keepers, right team = takers. BeforeKickOff for a while, then PlayOn, from which
 // hold time counts, GameOver when a rule ends it. Judged by ground truth alone.
@@ -33,6 +33,8 @@ class Keepaway {
     /// Ends the episode from outside the rules (physics or agents failed).
     void abort(episode::Status status, const std::string& reason);
 
+    /// Side of the area now, m.
+    double side() const;
     bool over() const { return state_.mode == PlayMode::GameOver; }
     /// Without state hash and code version, which the caller knows.
     episode::Result result() const;
@@ -42,8 +44,6 @@ class Keepaway {
     void return_strayed(body::Scene& scene);
     void count(const body::Scene& scene);
     std::optional<std::string> broken_rule(const body::Scene& scene) const;
-    bool taker_at_ball(const body::Scene& scene) const;
-    bool outside(const Vec3& point) const;
     void end(episode::Status status, const std::string& reason);
 
     KeepawayConfig config_;

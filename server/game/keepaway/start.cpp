@@ -34,12 +34,12 @@ double nearest_taker(const Vec2& position, const std::vector<Pose2>& takers) {
 
 Start make_start(const KeepawayConfig& config, RandomStream random) {
     Start start;
-    const double radius = kStartRadiusPerSide * config.side;
+    const double radius = kStartRadiusPerSide * config.start_side();
     for (int k = 0; k < config.keepers; ++k) {
         const double angle = radians(90.0 + 360.0 * k / config.keepers);
         start.keepers.push_back(facing_centre(radius * direction(angle)));
     }
-    const double edge = config.side / 2.0 - kCornerInset;
+    const double edge = config.start_side() / 2.0 - kCornerInset;
     for (int k = 0; k < config.takers; ++k) {
         const double share = config.takers == 1 ? 0.5 : 1.0 * k / (config.takers - 1);
         start.takers.push_back(facing_centre({edge, edge * (1.0 - 2.0 * share)}));

@@ -3,27 +3,66 @@
 
 #include <cmath>
 
-#include "common/field/field.h"
+#include "server/game/soccer/goal.h"
+#include "server/game/soccer/half_time.h"
+#include "server/game/soccer/kick_off.h"
+#include "server/game/soccer/kick_taker.h"
+#include "server/game/soccer/observe.h"
+#include "server/game/soccer/out_of_play.h"
+#include "server/game/soccer/pass_mode.h"
+#include "server/game/soccer/set_play.h"
 
 namespace k3d::server::game {
 
 namespace {
 
-constexpr double kDropBallTime = 15.0;   // s without a touch after kick-off
-constexpr double kGoalPause = 3.0;       // s
-const Vec3 kCentreSpot(0.0, 0.0, field::kBallRadius);
-
-void centre_ball(body::Scene& scene) {
-    scene.ball.move(kCentreSpot);
-    scene.ball.set_velocity(Vec3::Zero());
-}
-
-bool is_goal(PlayMode mode) { return mode == PlayMode::GoalLeft || mode == PlayMode::GoalRight; }
-bool is_kick_off(PlayMode mode) {
-    return mode == PlayMode::KickOffLeft || mode == PlayMode::KickOffRight;
+void play_on(Match& match) {
+    follow_passes(match);
+    lift_bar(match);
+    if (kicker_touched_twice(match)) return;
+    if (goal_scored(match)) return;
+    ball_out(match);
 }
 
 }  // namespace
+
+void Soccer::after_step(body::Scene& scene) {
+    state_.advance();
+    Match match{config_, state_, scene, memory_};
+    observe(match);
+    if (config_.referee) end_half(match);
+    judge(match);
+    remember(match);
+}
+
+void Soccer::judge(Match& match) {
+    const PlayMode mode = state_.mode;
+    if (mode == PlayMode::BeforeKickOff) return before_kick_off(match);
+    if (is_either(mode, PlayMode::KickOffLeft)) return game::kick_off(match);
+    if (is_either(mode, PlayMode::GoalLeft)) return after_goal(match);
+    if (!config_.referee) return;
+    if (mode == PlayMode::PlayOn) return play_on(match);
+    if (is_either(mode, PlayMode::PassLeft)) {
+        pass_mode(match);
+        return play_on(match);
+    }
+    if (is_either(mode, PlayMode::GoalKickLeft)) return goal_kick(match);
+    for (const PlayMode left_one : {PlayMode::KickInLeft, PlayMode::CornerKickLeft,
+                                    PlayMode::FreeKickLeft, PlayMode::DirectFreeKickLeft}) {
+        if (is_either(mode, left_one)) return set_play(match, left_one, side_in(mode, left_one));
+    }
+    // Only a trainer calls offside; it is named after the team that is punished.
+    if (is_either(mode, PlayMode::OffsideLeft)) {
+        return set_play(match, PlayMode::FreeKickLeft, opponent(side_in(mode, PlayMode::OffsideLeft)));
+    }
+}
+
+void Soccer::kick_off(wire::Side side) { state_.enter(kick_off_mode(state_, side)); }
+
+void Soccer::pass(body::Scene& scene, const body::Player& player) {
+    Match match{config_, state_, scene, memory_};
+    if (config_.referee) ask_for_pass_mode(match, player);
+}
 
 Vec3 Soccer::start_slot(wire::Side team, int unum) {
     // Slots go down the left edge 1.2 m apart; a full column moves on by 0.8 m (reference 1.6).
@@ -36,66 +75,14 @@ Vec3 Soccer::start_slot(wire::Side team, int unum) {
     return {x, kTop - 1.2 * (slot % kPerColumn), field::kAgentRadius};
 }
 
-bool Soccer::beam_allowed() const {
-    return state_.mode == PlayMode::BeforeKickOff || is_goal(state_.mode);
-}
-
-void Soccer::kick_off(wire::Side side) {
-    const bool left = side == wire::Side::Left || (side == wire::Side::None && state_.half == 1);
-    state_.enter(left ? PlayMode::KickOffLeft : PlayMode::KickOffRight);
-}
-
-void Soccer::keep_own_halves(body::Scene& scene, wire::Side kicking) {
-    for (const auto& player : scene.players) {
-        if (player->team == wire::Side::None || player->team == kicking) continue;
-        const double own = player->team == wire::Side::Left ? -1.0 : 1.0;
-        Vec3 torso = player->robot->torso_position();
-        const bool wrong_half = torso.x() * own < 0.0;
-        const bool in_circle = kicking != wire::Side::None &&
-                               torso.head<2>().norm() < field::kCentreRadius;
-        if (!wrong_half && !in_circle) continue;
-        torso.x() = own * (in_circle ? field::kCentreRadius + 0.5 : field::kAgentRadius);
-        player->robot->move(torso);
-    }
-}
-
-void Soccer::before_step(body::Scene& scene) {
-    if (state_.mode == PlayMode::BeforeKickOff) {
-        if (!scene.players.empty()) centre_ball(scene);
-        keep_own_halves(scene, wire::Side::None);
-    } else if (is_kick_off(state_.mode)) {
-        keep_own_halves(scene, state_.mode == PlayMode::KickOffLeft ? wire::Side::Left
-                                                                    : wire::Side::Right);
-    }
-}
-
-void Soccer::after_step(body::Scene& scene) {
-    state_.advance();
-    if (is_kick_off(state_.mode)) {
-        const bool touched = !ball_touchers(scene.world.contacts()).empty();
-        if (touched || state_.mode_time > kDropBallTime) state_.enter(PlayMode::PlayOn);
-    } else if (is_goal(state_.mode) && state_.mode_time >= kGoalPause) {
-        const bool left_scored = state_.mode == PlayMode::GoalLeft;
-        centre_ball(scene);
-        kick_off(left_scored ? wire::Side::Right : wire::Side::Left);
-    } else if (state_.mode == PlayMode::PlayOn) {
-        check_goal(scene);
-    }
-    if (state_.half == 1 && state_.time >= config_.half_time) {
-        state_.half = 2;
-        state_.enter(PlayMode::BeforeKickOff);
-    } else if (state_.half == 2 && state_.time >= 2.0 * config_.half_time && !over()) {
-        state_.enter(PlayMode::GameOver);
-    }
-}
-
-void Soccer::check_goal(body::Scene& scene) {
-    const Vec3 ball = scene.ball.position();
-    if (std::abs(ball.x()) <= field::kLength / 2.0 + field::kBallRadius) return;
-    if (std::abs(ball.y()) >= field::kGoalWidth / 2.0 || ball.z() >= field::kGoalHeight) return;
-    const bool left_scored = ball.x() > 0.0;
-    ++(left_scored ? state_.score_left : state_.score_right);
-    state_.enter(left_scored ? PlayMode::GoalLeft : PlayMode::GoalRight);
+episode::Result Soccer::result() const {
+    episode::Result result;
+    result.game = "soccer";
+    result.reason = "time_limit";
+    result.metrics = {{"time_s", std::round(state_.time * 50.0) / 50.0},
+                      {"score_left", state_.score_left},
+                      {"score_right", state_.score_right}};
+    return result;
 }
 
 }  // namespace k3d::server::game

@@ -53,11 +53,11 @@ TEST(Compose, BeamsOnlyBeforeKickOffAndIfAsked) {
     EXPECT_FALSE(at(1.0, "PlayOn", {3, true}).beam);
     ASSERT_TRUE(at(1.0, "BeforeKickOff", {3, true}).beam);
     for (int unum = 1; unum <= 11; ++unum) {
-        EXPECT_LT(kick_off_place(unum).x, -0.5);
-        EXPECT_LT(std::abs(kick_off_place(unum).y), 9.5);
+        EXPECT_LT(kick_off_beam(unum).x, -0.5);
+        EXPECT_LT(std::abs(kick_off_beam(unum).y), 9.5);
         for (int other = 1; other < unum; ++other)
-            EXPECT_GT(std::hypot(kick_off_place(unum).x - kick_off_place(other).x,
-                                 kick_off_place(unum).y - kick_off_place(other).y),
+            EXPECT_GT(std::hypot(kick_off_beam(unum).x - kick_off_beam(other).x,
+                                 kick_off_beam(unum).y - kick_off_beam(other).y),
                       1.0);
     }
 }

@@ -185,5 +185,44 @@ TEST(PassCounter, OwnReceptionShortBallAndTakerTouchAreNoPasses) {
     EXPECT_EQ(counter.kicks(), 3);
 }
 
+class LeagueMatch : public Match {
+  protected:
+    LeagueMatch() {
+        config.rules = "league";
+        game.emplace(config, 5, scene);
+        until_play_on();
+    }
+};
+
+TEST_F(LeagueMatch, TheBoxShrinksByFourMetresAMinute) {
+    EXPECT_NEAR(game->side(), 20.0, 0.01);
+    game->state().time = 60.0;
+    EXPECT_NEAR(game->side(), 16.0, 1e-9);
+    scene.ball.move({7.9, 0, 0.042});
+    scene.ball.set_velocity(Vec3::Zero());
+    step();
+    EXPECT_FALSE(game->over());
+    game->state().time = 63.0;
+    step();
+    EXPECT_EQ(game->result().reason, "ball_out");
+}
+
+TEST_F(LeagueMatch, EndsWhenATakerTouchesTheBallNotWhenItIsNear) {
+    const Vec3 ball = scene.ball.position();
+    put(wire::Side::Right, 1, ball.x() - 0.25, ball.y());
+    step();
+    EXPECT_FALSE(game->over());
+    put(wire::Side::Right, 1, ball.x() - 0.13, ball.y() + 0.055);
+    step();
+    ASSERT_TRUE(game->over());
+    EXPECT_EQ(game->result().reason, "taker_touched_ball");
+}
+
+TEST_F(LeagueMatch, KeepersMayLeaveTheBox) {
+    put(wire::Side::Left, 2, 0, 12.0);
+    step();
+    EXPECT_FALSE(game->over());
+}
+
 }  // namespace
 }  // namespace k3d::server::game

@@ -28,7 +28,7 @@ struct SkillConfig {
 
     double circle_radius = 0.36;
     double approach_speed = 0.08;
-    double kick_tolerance_x = 0.015;
+    double kick_tolerance_x = 0.011;
     double kick_tolerance_y = 0.018;
     double kick_tolerance_yaw = 0.18;
     double leisure = 1.5;

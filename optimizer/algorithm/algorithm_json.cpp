@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <limits>
+#include <set>
 
 #include "common/config/config.h"
 #include "optimizer/algorithm/algorithm_impl.h"
@@ -53,8 +54,9 @@ void check_entries(const Reader& reader, const std::vector<Entry>& entries, std:
     if (training && entries.size() != size) {
         reader.fail(fmt::format("has {} candidates, the search has {}", entries.size(), size));
     }
+    std::set<std::uint64_t> seen;
     for (std::size_t i = 0; i < entries.size(); ++i) {
-        if (entries[i].id >= next_id || (i > 0 && training && entries[i].id <= entries[i - 1].id)) {
+        if (entries[i].id >= next_id || !seen.insert(entries[i].id).second || (i > 0 && training && entries[i].id <= entries[i - 1].id)) {
             reader.entry(i)["id"].fail(fmt::format("is {}, which is out of order", entries[i].id));
         }
     }

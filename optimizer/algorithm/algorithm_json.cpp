@@ -122,6 +122,10 @@ Algorithm Algorithm::restore(const json& state, std::string_view source) {
     s.entries.clear();
     reader["entries"].each(
         [&s](const Reader& entry) { s.entries.push_back(read_entry(entry, s.problem)); });
+    if (s.phase == Pool::Validation && !s.finished &&
+        (s.entries.empty() || s.spec.sampling.validation_episodes == 0)) {
+        reader["phase"].fail("is validation, but there is nothing to validate");
+    }
     if (s.finished && !s.entries.empty()) reader["entries"].fail("is not empty in a finished run");
     check_entries(reader["entries"], s.entries, s.next_id, !s.finished && s.phase == Pool::Train,
                   std::visit([](const auto& inner) { return inner.size(); }, s.search));

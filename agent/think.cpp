@@ -57,7 +57,7 @@ void Mind::think(std::string_view payload, std::string& reply) {
     // One frame out, and an account of why.
     const action::Limits limits{config_.keepaway.keepers, config_.beam || config_.role == "soccer"};
     reply.clear();
-    action::compose(model_, rates_, decision, beliefs, limits, commands_);
+    action::compose(model_, rates_, decision, beliefs, limits, unsaid_, commands_);
     wire::encode(commands_, reply);
     telemetry_.record(beliefs, motion_.state(), decision);
 }

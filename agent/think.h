@@ -45,6 +45,7 @@ class Mind {
     decision::Player player_;
     nao::JointArray rates_{};
     wire::Commands commands_;
+    std::string unsaid_;  ///< the memory of the say text between turns
     action::Telemetry telemetry_;
 };
 

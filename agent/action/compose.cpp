@@ -14,7 +14,7 @@ wire::BeamCommand kick_off_beam(int unum) {
 
 void compose(const nao::Model& model, const nao::JointArray& rates,
              const decision::Decision& decision, const world::Beliefs& b, const Limits& limits,
-             wire::Commands& commands) {
+             std::string& unsaid, wire::Commands& commands) {
     commands.joint_rates = {};
     commands.beam.reset();
     for (const nao::JointDef& joint : model.joints)
@@ -23,12 +23,10 @@ void compose(const nao::Model& model, const nao::JointArray& rates,
                           b.game.play_mode == "Goal_Right";
     if (limits.beam && may_beam && b.game.unum > 0) commands.beam = kick_off_beam(b.game.unum);
     const bool speaks = decision.say && talk::may_speak(b.now, b.game.unum, limits.keepers);
-    // Between two turns to speak the text waits here, only for its memory.
-    static thread_local std::string silent;
-    if (!commands.say.empty()) silent.swap(commands.say.front());
+    if (!commands.say.empty()) unsaid.swap(commands.say.front());
     commands.say.clear();
     if (speaks) {
-        commands.say.push_back(std::move(silent));
+        commands.say.push_back(std::move(unsaid));
         talk::encode(*decision.say, commands.say.front());
     }
     commands.syn = true;

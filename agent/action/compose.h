@@ -16,11 +16,12 @@ struct Limits {
     bool beam = false;  ///< beam before kick-off and after goals
 };
 
-/// Fills `commands`, which is reset first; its memory is used again. `rates` in rad/s. A message is
-/// said only in this player's turn (talk/slots.h).
+/// Fills `commands`, which is reset first; its memory is used again, and `unsaid` keeps that of the
+/// text between two turns to speak. `rates` in rad/s. A message is said only in this player's turn
+/// (talk/slots.h).
 void compose(const nao::Model& model, const nao::JointArray& rates,
              const decision::Decision& decision, const world::Beliefs& beliefs,
-             const Limits& limits, wire::Commands& commands);
+             const Limits& limits, std::string& unsaid, wire::Commands& commands);
 
 /// Where player `unum` beams to: in the own half, looking at the opponents' goal; team frame.
 wire::BeamCommand kick_off_beam(int unum);

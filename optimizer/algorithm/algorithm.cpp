@@ -175,6 +175,8 @@ void Algorithm::Impl::crown_winner() {
 void Algorithm::Impl::crown(const Entry& entry, const Score& score, bool validated) {
     if (champion && champion->score.mean >= score.mean) return;
     champion = {entry.id, generation, entry.payload, score, validated};
+    fame.push_back(*champion);
+    if (fame.size() > kMostFame) fame.erase(fame.begin());
 }
 
 std::optional<std::string> Algorithm::Impl::reason_to_end() const {
@@ -280,6 +282,7 @@ std::optional<std::string> Algorithm::finished() const { return impl_->finished;
 int Algorithm::generation() const { return impl_->generation; }
 std::uint64_t Algorithm::episodes_told() const { return impl_->episodes; }
 std::optional<Champion> Algorithm::champion() const { return impl_->champion; }
+const std::vector<Champion>& Algorithm::hall_of_fame() const { return impl_->fame; }
 
 std::vector<nlohmann::json> Algorithm::take_log() { return std::exchange(impl_->log, {}); }
 

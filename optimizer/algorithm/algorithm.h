@@ -86,6 +86,9 @@ class Algorithm {
     int generation() const;               ///< the one that is being evaluated
     std::uint64_t episodes_told() const;  ///< n of all answered requests, each episode once
     std::optional<Champion> champion() const;
+    /// Hall of fame: the champions so far, the present one last; the oldest fall out beyond kMostFame.
+    const std::vector<Champion>& hall_of_fame() const;
+    static constexpr std::size_t kMostFame = 50;
     /// One line for each generation closed since the last call: "generation", "candidates", "best",
     /// "median", "mean" (fitness) and what the algorithm adds ("sigma", "species", ...).
     std::vector<nlohmann::json> take_log();

@@ -30,6 +30,7 @@ struct Algorithm::Impl {
     std::uint64_t next_id = 0;
     std::uint64_t episodes = 0;
     std::optional<Champion> champion;
+    std::vector<Champion> fame;  ///< champions in order of their crowning, the present one last
     std::vector<nlohmann::json> log;
     nlohmann::json line;                 ///< of this generation, until it is closed
     std::optional<std::string> pending;  ///< why the search ends after this validation

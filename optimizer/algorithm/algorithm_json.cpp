@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <limits>
+#include <set>
 
 #include "common/config/config.h"
 #include "optimizer/algorithm/algorithm_impl.h"
@@ -15,17 +16,15 @@ constexpr int kVersion = 1;
 
 using nlohmann::json;
 
-json save_champion(const std::optional<Champion>& champion) {
-    if (!champion) return {};
-    return {{"candidate", champion->candidate},
-            {"generation", champion->generation},
-            {"payload", algorithm::save(champion->payload)},
-            {"score", algorithm::save(champion->score)},
-            {"validated", champion->validated}};
+json save_champion(const Champion& champion) {
+    return {{"candidate", champion.candidate},
+            {"generation", champion.generation},
+            {"payload", algorithm::save(champion.payload)},
+            {"score", algorithm::save(champion.score)},
+            {"validated", champion.validated}};
 }
 
-std::optional<Champion> read_champion(const Reader& reader, const spec::Problem& problem) {
-    if (reader.is_null()) return std::nullopt;
+Champion read_champion(const Reader& reader, const spec::Problem& problem) {
     return Champion{reader["candidate"].unsigned_integer(),
                     reader["generation"].integer(0, std::numeric_limits<int>::max()),
                     read_payload(reader["payload"], problem), read_score(reader["score"]),
@@ -53,8 +52,9 @@ void check_entries(const Reader& reader, const std::vector<Entry>& entries, std:
     if (training && entries.size() != size) {
         reader.fail(fmt::format("has {} candidates, the search has {}", entries.size(), size));
     }
+    std::set<std::uint64_t> seen;
     for (std::size_t i = 0; i < entries.size(); ++i) {
-        if (entries[i].id >= next_id || (i > 0 && training && entries[i].id <= entries[i - 1].id)) {
+        if (entries[i].id >= next_id || !seen.insert(entries[i].id).second || (i > 0 && training && entries[i].id <= entries[i - 1].id)) {
             reader.entry(i)["id"].fail(fmt::format("is {}, which is out of order", entries[i].id));
         }
     }
@@ -67,6 +67,8 @@ json Algorithm::save() const {
     spec::AlgorithmSpec spec = s.spec;
     json entries = json::array();
     for (const Entry& entry : s.entries) entries.push_back(algorithm::save(entry));
+    json fame = json::array();
+    for (const Champion& champion : s.fame) fame.push_back(save_champion(champion));
     return {{"format", kFormat},
             {"version", kVersion},
             {"spec", config::print(config::describing(spec))},
@@ -79,7 +81,7 @@ json Algorithm::save() const {
             {"entries", entries},
             {"next_id", s.next_id},
             {"episodes", s.episodes},
-            {"champion", save_champion(s.champion)},
+            {"hall_of_fame", fame},
             {"log", s.log},
             {"line", s.line},
             {"pending", s.pending ? json(*s.pending) : json()},
@@ -120,10 +122,18 @@ Algorithm Algorithm::restore(const json& state, std::string_view source) {
     s.entries.clear();
     reader["entries"].each(
         [&s](const Reader& entry) { s.entries.push_back(read_entry(entry, s.problem)); });
+    if (s.phase == Pool::Validation && !s.finished &&
+        (s.entries.empty() || s.spec.sampling.validation_episodes == 0)) {
+        reader["phase"].fail("is validation, but there is nothing to validate");
+    }
     if (s.finished && !s.entries.empty()) reader["entries"].fail("is not empty in a finished run");
     check_entries(reader["entries"], s.entries, s.next_id, !s.finished && s.phase == Pool::Train,
                   std::visit([](const auto& inner) { return inner.size(); }, s.search));
-    s.champion = read_champion(reader["champion"], s.problem);
+    s.fame.clear();
+    reader["hall_of_fame"].each(
+        [&s](const Reader& entry) { s.fame.push_back(read_champion(entry, s.problem)); });
+    if (s.fame.size() > kMostFame) reader["hall_of_fame"].fail("is too long");
+    if (!s.fame.empty()) s.champion = s.fame.back();
     s.log.clear();
     reader["log"].each([&s](const Reader& line) { s.log.push_back(line.json()); });
     s.line = reader["line"].json();

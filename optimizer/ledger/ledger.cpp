@@ -38,7 +38,7 @@ constexpr const char* kColumns =
 constexpr const char* kOrder = "phase, generation, candidate, episode";
 constexpr const char* kAtKey = "phase = ? AND generation = ? AND candidate = ? AND episode = ?";
 
-/// The next placeholder of a statement, in order.
+/// Binds values to the question marks of a statement, in order.
 class Binder {
   public:
     explicit Binder(SQLite::Statement& statement) : statement_(statement) {}

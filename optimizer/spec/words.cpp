@@ -45,10 +45,10 @@ std::string fill(std::string_view word, const Place& place) {
         const std::size_t end = word[at] == '{' ? word.find('}', at) : std::string_view::npos;
         const std::string_view name =
             end == std::string_view::npos ? "" : word.substr(at + 1, end - at - 1);
-        const bool placeholder = !name.empty() && std::all_of(name.begin(), name.end(), [](char c) {
+        const bool field = !name.empty() && std::all_of(name.begin(), name.end(), [](char c) {
             return c >= 'a' && c <= 'z';
         });
-        if (placeholder) {
+        if (field) {
             out += value_of(name, place);
             at = end + 1;
         } else {

@@ -39,7 +39,12 @@ neat::Settings settings() {
     spec.add_link = 0.3;
     spec.weight_coefficient = 3.0;
     spec.threshold = 4.0;
-    return neat::settings_of(spec);
+    neat::Settings s = neat::settings_of(spec);
+    // With a coefficient of 3 a threshold of 4 splits the first generation into hundreds of species
+    // unless its weights lie close together.
+    s.new_weight = 1.0;
+    s.perturbation = 0.5;
+    return s;
 }
 
 Result run(std::uint64_t seed, double most) {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cctype>
+#include <chrono>
 #include <fstream>
 #include <sstream>
 #include <string>
@@ -55,20 +56,53 @@ std::vector<Recorded> recorded_frames() {
     return frames;
 }
 
+/// A team-mate behind the tested agent's back, out of its view. The server waits for it in every cycle, and
+/// so goes no further than told: nobody is waited for at the handshake, nor before its fifth frame.
+class Metronome {
+  public:
+    explicit Metronome(const ServerProcess& server) : agent_(server) {
+        agent_.join(2, "Alpha");
+        agent_.step("(beam -14 -9 0)");
+        for (int cycle = 0; cycle < 10; ++cycle) tick();
+    }
+
+    /// One cycle; its time.
+    double tick() { return agent_.step().time; }
+
+    /// Cycles until the newcomer has its first frame; the time of the last cycle.
+    double tick_until_answered(WireAgent& newcomer, wire::Percepts& percepts) {
+        for (int cycle = 0; cycle < 100; ++cycle) {
+            const double now = tick();
+            try {
+                if (newcomer.receive(percepts, std::chrono::milliseconds(250))) return now;
+            } catch (const net::NetError&) {
+                continue;  // the server had not yet read its scene
+            }
+        }
+        ADD_FAILURE() << "no frame within 100 cycles";
+        return 0.0;
+    }
+
+  private:
+    WireAgent agent_;
+};
+
 class Grammar : public ::testing::TestWithParam<int> {};
 
 TEST_P(Grammar, OfTheFirstFramesIsTheRecordedOne) {
     const int type = GetParam();
     ServerProcess server({"--pace", "fast"});
+    Metronome metronome(server);
     WireAgent agent(server);
     wire::Percepts percepts;
     agent.send("(scene rsg/agent/nao/nao_hetero.rsg " + std::to_string(type) + ")(syn)");
-    ASSERT_TRUE(agent.receive(percepts));
+    const double now = metronome.tick_until_answered(agent, percepts);
+    ASSERT_NEAR(percepts.time, now, 1e-9) << "a frame came late";
     std::vector<std::string> ours{agent.last_payload()};
-    agent.step("(init (unum 1)(teamname Alpha))");
-    ours.push_back(agent.last_payload());
     while (ours.size() < 8) {
-        agent.step();
+        agent.send(ours.size() == 1 ? "(init (unum 1)(teamname Alpha))(syn)" : "(syn)");
+        metronome.tick();
+        ASSERT_TRUE(agent.receive(percepts));
         ours.push_back(agent.last_payload());
     }
     int compared = 0;

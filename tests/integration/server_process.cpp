@@ -49,9 +49,9 @@ std::string ServerProcess::log() const {
     return text.str();
 }
 
-bool WireAgent::receive(wire::Percepts& percepts) {
+bool WireAgent::receive(wire::Percepts& percepts, std::chrono::milliseconds patience) {
     std::string_view frame;
-    if (!client_.receive(frame, kPatience)) return false;
+    if (!client_.receive(frame, patience)) return false;
     payload_ = frame;
     EXPECT_EQ(wire::decode(frame, percepts), 0) << frame;
     return true;

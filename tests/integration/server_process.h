@@ -39,8 +39,9 @@ class WireAgent {
     explicit WireAgent(const ServerProcess& server) : client_("127.0.0.1", server.agent_port(), kPatience) {}
 
     void send(const std::string& payload) { client_.send(payload); }
-    /// Next frame decoded; false at the connection's end. Fails the test on damaged frames.
-    bool receive(wire::Percepts& percepts);
+    /// Next frame decoded; false at the connection's end. Fails the test on damaged frames; throws
+    /// net::NetError if none comes in time.
+    bool receive(wire::Percepts& percepts, std::chrono::milliseconds patience = kPatience);
     /// scene, percept, init; returns once the frame with the team has come, at most ten frames later.
     wire::Percepts join(int unum, const std::string& team, int type = 0);
     /// Sends the commands with (syn) and reads the next frame.

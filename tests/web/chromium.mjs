@@ -35,6 +35,7 @@ class Page {
     this.profile = profile;
     this.errors = [];  // of the console, of scripts, of loading
     this.waiting = new Map();
+    this.loaded = new Map();  // loader -> what to call once its document is whole
     this.last = 0;
     this.session = undefined;
     let rest = "";
@@ -54,6 +55,7 @@ class Page {
 
   fail(error, resolve) {
     for (const {reject} of this.waiting.values()) reject(error);
+    for (const {reject} of this.loaded.values()) reject(error);
     this.waiting.clear();
     this.dead = error;
     resolve();
@@ -83,7 +85,20 @@ class Page {
       this.errors.push(params.args.map((arg) => arg.value ?? arg.description).join(" "));
     } else if (method === "Log.entryAdded" && params.entry.level === "error") {
       this.errors.push(`${params.entry.text} ${params.entry.url ?? ""}`);
+    } else if (method === "Page.lifecycleEvent" && params.name === "load") {
+      this.whole(params.loaderId).resolve();
     }
+  }
+
+  /** A promise, with its ends, of a loader's document being whole; the event may come first. */
+  whole(loader) {
+    if (!this.loaded.has(loader)) {
+      const ends = {};
+      ends.promise = new Promise((resolve, reject) => Object.assign(ends, {resolve, reject}));
+      ends.promise.catch(() => {});  // told by the sends that fail
+      this.loaded.set(loader, ends);
+    }
+    return this.loaded.get(loader);
   }
 
   async open(url, width, height) {
@@ -92,8 +107,10 @@ class Page {
     for (const domain of ["Runtime", "Log", "Page"]) await this.send(`${domain}.enable`);
     await this.send(
       "Emulation.setDeviceMetricsOverride", {width, height, deviceScaleFactor: 1, mobile: false});
-    const {errorText} = await this.send("Page.navigate", {url});
+    await this.send("Page.setLifecycleEventsEnabled", {enabled: true});
+    const {errorText, loaderId} = await this.send("Page.navigate", {url});
     if (errorText) throw new Error(`cannot open ${url}: ${errorText}`);
+    await this.whole(loaderId).promise;
   }
 
   /** Value of a JavaScript expression in the page. */

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <string_view>
-#include <vector>
 
 #include "agent/decision/soccer/formation.h"
 #include "agent/skills/look.h"
@@ -15,13 +14,6 @@ namespace {
 
 constexpr double kKeepTheJob = 0.5;    // m: a striker's lead over the others
 constexpr double kGoalkeeperArea = 3.0;  // m from its place in which it plays the ball
-
-std::vector<skills::Obstacle> robots_of(const world::Beliefs& b, double clearance) {
-    std::vector<skills::Obstacle> robots;
-    for (const auto& p : b.mates) robots.push_back({p.position, clearance});
-    for (const auto& p : b.opponents) robots.push_back({p.position, clearance});
-    return robots;
-}
 
 }  // namespace
 
@@ -83,6 +75,7 @@ bool SoccerPlayer::is_striker(const world::Beliefs& b) {
 
 motion::BodyRequest SoccerPlayer::strike(const world::Beliefs& b, const motion::State& body,
                                          bool committed, Account& account) {
+    skills::robots_of(b, skills_.robot_clearance, robots_);
     const PossessionInput input{
         .beliefs = b,
         .body = body,
@@ -90,7 +83,7 @@ motion::BodyRequest SoccerPlayer::strike(const world::Beliefs& b, const motion::
         .pressure = 1.0,
         .may_kick = true,
         .committed = committed,
-        .robots = robots_of(b, skills_.robot_clearance),
+        .robots = robots_,
     };
     account.target = input.target;
     motion::BodyRequest request = possession_.get_skill(input);
@@ -104,7 +97,8 @@ motion::BodyRequest SoccerPlayer::keep_place(const world::Beliefs& b, Account& a
     const Vec2 place = place_in_play(b.game.unum, b.ball.known ? b.ball.position : Vec2(0.0, 0.0));
     account.target = place;
     const double yaw = yaw_of(b.ball.position - b.self.pose.position);
-    return go_to_.step(b.self.pose, {place, yaw}, robots_of(b, skills_.robot_clearance), skills_);
+    skills::robots_of(b, skills_.robot_clearance, robots_);
+    return go_to_.step(b.self.pose, {place, yaw}, robots_, skills_);
 }
 
 }  // namespace k3d::agent::decision

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "agent/decision/decision.h"
 #include "agent/decision/possession.h"
@@ -35,6 +36,7 @@ class SoccerPlayer {
     PossessionBehaviour possession_;
     skills::GoTo go_to_;
     std::optional<motion::Kick> swing_;  ///< the kick asked for last or under way
+    std::vector<skills::Obstacle> robots_;  ///< all others, gathered for each decision
     bool striker_ = false;
 };
 

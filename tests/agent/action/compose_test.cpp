@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <string>
+
 #include "agent/decision/keepaway/scene.h"
 #include "agent/talk/slots.h"
 
@@ -22,7 +24,8 @@ wire::Commands at(double now, const std::string& mode, Limits limits, bool talks
     rates[nao::index(nao::JointId::HeadYaw)] = 0.5;
     wire::Commands commands;
     commands.say = {"left from before"};
-    compose(nao::model(0), rates, d, b, limits, commands);
+    std::string unsaid;
+    compose(nao::model(0), rates, d, b, limits, unsaid, commands);
     return commands;
 }
 

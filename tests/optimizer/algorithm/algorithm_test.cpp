@@ -201,6 +201,11 @@ TEST_P(EveryAlgorithm, TheChampionIsMeasuredOnValidationSeeds) {
     EXPECT_TRUE(champion.validated);
     EXPECT_EQ(champion.score, validated.at(champion.candidate));
     EXPECT_EQ(champion.score.n, 8);
+    ASSERT_FALSE(algorithm.hall_of_fame().empty());
+    EXPECT_EQ(algorithm.hall_of_fame().back(), champion);
+    for (std::size_t i = 1; i < algorithm.hall_of_fame().size(); ++i) {
+        EXPECT_LT(algorithm.hall_of_fame()[i - 1].score.mean, algorithm.hall_of_fame()[i].score.mean);
+    }
     for (const auto& [candidate, score] : validated) {
         if (score.n < 8) continue;  // sent home by halving
         EXPECT_LE(score.mean, champion.score.mean) << candidate;

@@ -184,6 +184,13 @@ TEST(Run, StatesThatCannotBeAreNamed) {
                 HasSubstr("entries[2].payload: has 2 entries, 3 are needed"));
     EXPECT_THAT(error([](auto& s) { s["entries"].erase(0); }), HasSubstr("6 candidates"));
     EXPECT_THAT(error([](auto& s) { s["entries"][0]["id"] = 5; }), HasSubstr("out of order"));
+    EXPECT_THAT(error([](auto& s) { s["phase"] = "validation"; }), HasSubstr("nothing to validate"));
+    EXPECT_THAT(error([](auto& s) {
+                    s["spec"] = "[sampling]\nvalidation_episodes = 4\n";
+                    s["phase"] = "validation";
+                    s["entries"][0]["id"] = 5;
+                }),
+                HasSubstr("entries[5].id: is 5, which is out of order"));
     EXPECT_THAT(error([](auto& s) { s["phase"] = "test"; }), HasSubstr("\"test\""));
     EXPECT_THAT(error([](auto& s) { s["spec"] = "name = 3"; }), HasSubstr("run.json: spec"));
     EXPECT_THAT(error([](auto& s) { s["problem"]["parameters"][0]["deviation"] = 0.0; }),

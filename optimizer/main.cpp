@@ -20,6 +20,7 @@
 #include "optimizer/match.h"
 #include "optimizer/report/progress.h"
 #include "optimizer/report/table.h"
+#include "optimizer/reproduce.h"
 #include "optimizer/spec/match_spec.h"
 #include "optimizer/spec/words.h"
 #include "optimizer/verbs.h"
@@ -169,6 +170,7 @@ int main(int argc, char** argv) {
     match->callback([&] { chosen = [&match_options] { return run_match(match_options); }; });
     k3d::optimizer::add_drill_command(app, chosen);
     k3d::optimizer::add_run_verbs(app, chosen);
+    k3d::optimizer::add_reproduce_verb(app, chosen);
     add_bench(app, chosen);
     return k3d::config::run_program(app, argc, argv, "k3d-optimizer", [&] {
         if (!chosen) throw std::invalid_argument("which subcommand? See k3d-optimizer --help");

@@ -38,6 +38,10 @@ episode::Job JobMaker::job(const std::optional<algorithm::Payload>& payload, epi
     job.seed = algorithm::scenario_seed(experiment.seed, request.pool, request.generation, episode);
     job.task = experiment.task;
     job.code_version = code_version();
+    const bool test = phase == episode::Phase::Test || phase == episode::Phase::Baseline;
+    if (test && !experiment.test.settings.empty()) {
+        job.task.settings += " " + experiment.test.settings;  // the later word wins
+    }
     if (!payload) return job;
     if (const auto* values = std::get_if<std::vector<double>>(&*payload)) {
         if (experiment.start_network) {

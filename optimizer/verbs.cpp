@@ -14,6 +14,7 @@
 #include "optimizer/backend/nats_backend.h"
 #include "optimizer/backend/worker.h"
 #include "optimizer/daemon.h"
+#include "optimizer/found.h"
 #include "optimizer/report/run_report.h"
 #include "optimizer/report/run_text.h"
 #include "optimizer/run.h"
@@ -99,14 +100,6 @@ int go_on(Run run, const Carrier& carrier) {
                                                     run.algorithm().champion(), run.ended()},
                                                    run.folder() + "/report"));
     return 0;
-}
-
-/// The algorithm as the ledger last saved it; none before the first generation is closed.
-std::optional<algorithm::Algorithm> algorithm_in(const ledger::Ledger& ledger,
-                                                 const std::string& folder) {
-    const auto round = ledger.last_round();
-    if (!round) return std::nullopt;
-    return algorithm::Algorithm::restore_text(round->state, ledger_file(folder));
 }
 
 /// What `show` prints beside the course of the run.

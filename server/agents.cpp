@@ -147,10 +147,11 @@ void Simulation::take_seat(session::AgentSession& agent) {
 
 /// Where a soccer player stands until it beams.
 void Simulation::line_up(const session::AgentSession& agent) {
-    const session::Seat& seat = *agent.seat;
-    const double heading = seat.team == wire::Side::Left ? 0.0 : kPi;
-    scene_->find(*agent.player)->robot->place(game::Soccer::start_slot(seat.team, seat.unum),
-                                              heading);
+    auto* soccer = std::get_if<game::Soccer>(&game_);
+    if (soccer == nullptr) return;
+    const wire::Side team = agent.seat->team;
+    const double heading = team == wire::Side::Left ? 0.0 : kPi;
+    scene_->find(*agent.player)->robot->place(soccer->next_start_slot(team), heading);
 }
 
 void Simulation::act(session::AgentSession& agent) {

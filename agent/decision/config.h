@@ -24,6 +24,7 @@ struct KeepawayConfig {
 /// Roles and the K1 keeper's conduct (paper 5.1).
 struct KeeperConfig {
     std::string policy = "handcoded";
+    std::string open;
     double hold_threshold = 2.4;
     double role_hysteresis = 0.4;
     double tie_margin = 0.5;
@@ -45,6 +46,8 @@ struct KeeperConfig {
     void describe(config::Fields& f) {
         f.text("policy", policy, {},
                "how K1 values targets: handcoded, still, hold, random, or a network file");
+        f.text("open", open, {},
+               "network file that values K3's places; empty: K3 goes home, as in the paper");
         f.number("hold_threshold", hold_threshold, {0.0, 20.0}, "m",
                  "K1 holds while the nearest taker is farther from the ball than this");
         f.number("role_hysteresis", role_hysteresis, {0.0, 5.0}, "m",
@@ -145,6 +148,7 @@ struct TakerConfig {
 
 /// Getting possession of the ball (paper 4).
 struct PossessionConfig {
+    std::string chooser = "rules";
     std::string network;
     double at_rest = 0.5;
     double position_distance = 1.5;
@@ -152,7 +156,10 @@ struct PossessionConfig {
     double passing_by_deg = 60.0;
 
     void describe(config::Fields& f) {
-        f.text("network", network, {}, "file of the network that chooses; empty: the rules below");
+        f.text("chooser", chooser, {"rules", "straight", "random"},
+               "who chooses without a network: the rules below, or as baselines straight to where the "
+               "ball is, or a state at random");
+        f.text("network", network, {}, "file of the network that chooses; empty: the chooser");
         f.number("at_rest", at_rest, {0.0, 5.0}, "m", "a ball this near to its finish has arrived");
         f.number("position_distance", position_distance, {0.2, 5.0}, "m",
                  "this near to the finish position for the kick");

@@ -7,6 +7,7 @@
 
 #include "agent/skills/intercept.h"
 #include "agent/skills/kick_meeting.h"
+#include "common/random/stream.h"
 
 namespace k3d::agent::decision {
 namespace {
@@ -23,6 +24,29 @@ BodyRequest meet(const PossessionInput& in, const Vec2& point, skills::GoTo& go_
     const Pose2& self = in.beliefs.self.pose;
     const Pose2 goal{inside(point, in.half_area), yaw_of(in.beliefs.ball.position - self.position)};
     return go_to.step(self, goal, in.robots, skill);
+}
+
+/// Keeps to a state for a while, so that it gets somewhere.
+Chooser<PossessionInput> choose_by_chance() {
+    constexpr double kWhile = 1.0;  // s
+    auto stream = std::make_shared<RandomStream>(1, "possession", "chance");
+    auto until = std::make_shared<double>(-1.0);
+    return [=](const PossessionInput& in, int state) {
+        if (in.beliefs.now < *until) return state;
+        *until = in.beliefs.now + kWhile;
+        return stream->below(static_cast<int>(kPossessionStates));
+    };
+}
+
+/// What an agent that foresees nothing acts on: a ball that lies where it is now.
+BodyRequest without_foresight(const PossessionInput& in,
+                              const std::function<BodyRequest(const PossessionInput&)>& act) {
+    world::Beliefs seen = in.beliefs;
+    seen.ball.moving = false;
+    seen.ball.velocity = Vec2::Zero();
+    seen.ball.finish = seen.ball.position_before = seen.ball.position;
+    return act({seen, in.body, in.target, in.pressure, in.may_kick, in.committed, in.half_area,
+                in.robots});
 }
 
 BodyRequest position(const PossessionInput& in, skills::KickMeeting& kick_meeting,
@@ -103,6 +127,14 @@ PossessionBehaviour make_possession(const PossessionConfig& config, const skills
     Chooser<PossessionInput> chooser = [config](const PossessionInput& in, int state) {
         return choose_by_rules(possession_variables(in), state, config);
     };
+    if (config.chooser == "straight") {
+        chooser = [](const PossessionInput&, int) { return int{kPosition}; };
+        actions[kPosition].get_skill = [act = actions[kPosition].get_skill](
+                                           const PossessionInput& in) {
+            return without_foresight(in, act);
+        };
+    }
+    if (config.chooser == "random") chooser = choose_by_chance();
     if (!config.network.empty()) {
         network::Network net(network::load_file(config.network), config.network);
         network::require_shape(net, kPossessionInputs, kPossessionStates, config.network);

@@ -152,6 +152,8 @@ void write(const std::string& path, const std::string& text) {
 
 }  // namespace
 
+std::string_view page_style() { return kStyle; }
+
 std::vector<std::string> value_names(const spec::Experiment& experiment) {
     const spec::Problem problem = spec::problem_of(experiment);
     std::vector<std::string> names;

@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "optimizer/algorithm/algorithm.h"
 #include "optimizer/ledger/ledger.h"
@@ -22,6 +23,9 @@ struct RunFacts {
 /// which is made. Throws std::runtime_error naming a file that cannot be written. Returns the path
 /// of report.html.
 std::string write_report(const RunFacts& run, const std::string& folder);
+
+/// Style sheet of this page and others like it.
+std::string_view page_style();
 
 /// The page alone.
 std::string report_html(const RunFacts& run);

@@ -143,10 +143,13 @@ void check_search(const Experiment& e, Faults& faults) {
     } catch (const std::invalid_argument& error) {
         faults.add("task.drill", fmt::format("is no list of settings: {}", error.what()));
     }
-    try {
-        parse_settings(e.task.settings);
-    } catch (const std::invalid_argument& error) {
-        faults.add("task.settings", fmt::format("is no list of settings: {}", error.what()));
+    for (const auto& [path, settings] : {std::pair{"task.settings", &e.task.settings},
+                                         std::pair{"test.settings", &e.test.settings}}) {
+        try {
+            parse_settings(*settings);
+        } catch (const std::invalid_argument& error) {
+            faults.add(path, fmt::format("is no list of settings: {}", error.what()));
+        }
     }
 }
 

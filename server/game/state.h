@@ -19,6 +19,8 @@ struct GameState {
     int score_left = 0;
     int score_right = 0;
     std::string team_left, team_right;  ///< empty until known
+    double pass_wait_left = 0.0;   ///< s in which goals after pass mode do not count; 0: they do
+    double pass_wait_right = 0.0;
 
     /// To be in a mode already changes nothing.
     void enter(PlayMode next) {

@@ -62,6 +62,15 @@ void append_constants(const GameView& view, std::string& out) {
     out += ')';
 }
 
+void append_waits(const GameView& view, std::string& out) {
+    if (view.pass_wait_left > 0.0) {
+        append_number("pass_mode_score_wait_left", view.pass_wait_left, out);
+    }
+    if (view.pass_wait_right > 0.0) {
+        append_number("pass_mode_score_wait_right", view.pass_wait_right, out);
+    }
+}
+
 void append_game(const GameView& view, std::string& out) {
     append_number("time", view.time, out);
     append_team("team_left", view.team_left, out);
@@ -70,6 +79,7 @@ void append_game(const GameView& view, std::string& out) {
     append_integer("score_left", view.score_left, out);
     append_integer("score_right", view.score_right, out);
     append_integer("play_mode", static_cast<int>(view.mode), out);
+    append_waits(view, out);
 }
 
 /// The time, and what else is not as it was told.
@@ -81,6 +91,7 @@ void append_changes(const GameView& view, const GameView& told, std::string& out
     if (view.score_left != told.score_left) append_integer("score_left", view.score_left, out);
     if (view.score_right != told.score_right) append_integer("score_right", view.score_right, out);
     if (view.mode != told.mode) append_integer("play_mode", static_cast<int>(view.mode), out);
+    append_waits(view, out);
 }
 
 void append_transform(const Matrix& matrix, std::string& out) {
@@ -125,7 +136,8 @@ void append_tree(const std::vector<Node>& nodes, std::string& out, const Append&
 
 GameView view_of(const game::GameState& state, double half_time) {
     return {state.time,        state.team_left, state.team_right, state.half, state.score_left,
-            state.score_right, state.mode,      half_time};
+            state.score_right, state.mode,      half_time,        state.pass_wait_left,
+            state.pass_wait_right};
 }
 
 std::string Frames::full(const SceneGraph& graph, const GameView& view) const {

@@ -25,6 +25,7 @@ struct GameView {
     int score_left = 0, score_right = 0;
     game::PlayMode mode = game::PlayMode::BeforeKickOff;
     double half_time = 300.0;  ///< s, in full frames
+    double pass_wait_left = 0.0, pass_wait_right = 0.0;  ///< s; told while they run
 };
 
 GameView view_of(const game::GameState& state, double half_time);

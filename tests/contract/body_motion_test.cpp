@@ -43,7 +43,8 @@ TEST_P(Falls, AreNoticedOnceAndGotUpFrom) {
     EXPECT_LT(rig.tilt(), radians(12));
 }
 
-INSTANTIATE_TEST_SUITE_P(BackAndFront, Falls, testing::Values(-2.5, 2.5));
+INSTANTIATE_TEST_SUITE_P(BackAndFront, Falls, testing::Values(-2.5, 2.5),
+                         [](const auto& test) { return test.param < 0.0 ? "Back" : "Front"; });
 
 TEST(BodyMotionContract, WalksOnAfterAFallInTheMiddleOfAWalk) {
     BodyRig rig;

@@ -87,7 +87,8 @@ TEST_P(EitherFoot, KicksShorterWhenAskedTo) {
     EXPECT_NEAR(far.distance, Config{}.far.reach_m, 0.7);
 }
 
-INSTANTIATE_TEST_SUITE_P(Feet, EitherFoot, testing::Values(Foot::Right, Foot::Left));
+INSTANTIATE_TEST_SUITE_P(Feet, EitherFoot, testing::Values(Foot::Right, Foot::Left),
+                         [](const auto& test) { return test.param == Foot::Left ? "Left" : "Right"; });
 
 TEST(KickReach, TheStandPosePutsTheBallInReachOfThatFoot) {
     const Config config;

@@ -114,7 +114,8 @@ TEST_P(Grammar, OfTheFirstFramesIsTheRecordedOne) {
     EXPECT_GE(compared, 3);
 }
 
-INSTANTIATE_TEST_SUITE_P(Recorded, Grammar, ::testing::Values(0, 4));
+INSTANTIATE_TEST_SUITE_P(Recorded, Grammar, ::testing::Values(0, 4),
+                         [](const auto& test) { return "Type" + std::to_string(test.param); });
 
 TEST(GrammarShape, KeepsEverythingButTheDigits) {
     EXPECT_EQ(shape("(HJ (n rlj1) (ax -0.00))(GS (sl 12) (pm PlayOn))"),

@@ -58,6 +58,7 @@ Keeper::Keeper(const KeeperSettings& settings, Policy policy, const skills::Kick
     situation_.takers.reserve(kMostRobots);
     situation_.receivers.reserve(kMostRobots);
     obstacles_.reserve(kMostRobots + 1);
+    if (!settings.keeper.open.empty()) open_.emplace(settings.keeper.open, grid_);
 }
 
 Decision Keeper::decide(const world::Beliefs& b, const motion::State& body,
@@ -134,9 +135,19 @@ motion::BodyRequest Keeper::act(const world::Beliefs& b, const motion::State& bo
     }
     // A taker that comes for the ball just kicked runs its kicker down, who has time to step aside.
     const auto aside = away_from_takers(b, settings_.keeper.evade_distance);
-    account.skill = aside ? "step_aside" : "go_home";
-    account.target = aside ? aside : home_;
+    account.skill = aside ? "step_aside" : open_ ? "get_open" : "go_home";
+    account.target = aside ? *aside : place_of_k3(b, part);
     return walk_and_watch(b, *account.target);
+}
+
+Vec2 Keeper::place_of_k3(const world::Beliefs& b, const Assignment& part) {
+    if (!open_) return *home_;
+    situation_.takers.clear();
+    situation_.receivers.assign(1, b.self.pose.position);
+    situation_.ball = part.target.value_or(b.ball.finish);
+    for (const auto& taker : b.opponents)
+        situation_.takers.push_back({taker.position, taker.lagged});
+    return open_->choose(situation_, settings_.evaluation.ideal_pass_m);
 }
 
 motion::BodyRequest Keeper::act_k1(const world::Beliefs& b, const motion::State& body,

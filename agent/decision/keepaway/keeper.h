@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A keeper (paper 5.1): takes its role; K1 chooses target and helper, gets the ball, holds or
-// kicks; K2 goes to the target and faces the ball; K3 goes home and watches.
+// kicks; K2 goes to the target and faces the ball; K3 goes home, or to a learned place, and watches.
 #pragma once
 
 #include <cstdint>
@@ -10,6 +10,7 @@
 
 #include "agent/decision/config.h"
 #include "agent/decision/decision.h"
+#include "agent/decision/keepaway/open_place.h"
 #include "agent/decision/keepaway/policy.h"
 #include "agent/decision/keepaway/roles.h"
 #include "agent/decision/possession.h"
@@ -51,6 +52,8 @@ class Keeper {
     void choose_target(const world::Beliefs& beliefs, Account& account);
     /// Room of policy.h: for the stance, for where the ball lands, and between that and the target.
     double room_for(const Vec2& target, const Vec2& ball) const;
+    /// Where K3 goes: home, or where the learned function sends it.
+    Vec2 place_of_k3(const world::Beliefs& beliefs, const Assignment& part);
     motion::BodyRequest walk_and_watch(const world::Beliefs& beliefs, const Vec2& place);
 
     KeeperSettings settings_;
@@ -58,6 +61,7 @@ class Keeper {
     skills::KickGeometry kick_;
     RandomStream choices_;
     std::vector<Vec2> grid_;
+    std::optional<OpenPlace> open_;
     RoleKeeper roles_;
     PossessionBehaviour possession_;
     skills::GoTo go_to_;

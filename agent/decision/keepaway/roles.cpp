@@ -47,9 +47,9 @@ Assignment RoleKeeper::update(const world::Beliefs& b, std::span<const talk::Rep
         if (r.message.claims_k1 && b.now - r.heard <= c.order_memory &&
             (order == nullptr || r.heard > order->heard))
             order = &r;
-    if (order != nullptr && order->message.target && order->message.k2 == me) {
-        result.role = Role::K2;
+    if (order != nullptr && order->message.target) {
         result.target = order->message.target;
+        if (order->message.k2 == me) result.role = Role::K2;
     }
     return result;
 }

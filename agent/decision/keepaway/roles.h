@@ -20,7 +20,7 @@ const char* name_of(Role role);
 struct Assignment {
     Role role = Role::K3;
     int k1 = 0;                    ///< unum of the keeper taken for K1, 0 = nobody
-    std::optional<Vec2> target;    ///< K2: where K1 wants it, team frame
+    std::optional<Vec2> target;    ///< where K1 says that its pass will go, team frame
 };
 
 class RoleKeeper {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "server/game/soccer/pass_mode.h"
 
+#include "common/clock/clock.h"
 #include "server/game/clearing.h"
 
 namespace k3d::server::game {
@@ -68,6 +69,18 @@ void follow_passes(Match& match) {
 
 bool may_score(Match& match, wire::Side team) {
     return !barred_from_scoring(match.pass_of(team), match.memory.now);
+}
+
+void tell_score_wait(Match& match) {
+    const auto wait = [&match](wire::Side team) {
+        const PassUse& use = match.pass_of(team);
+        const double now = match.memory.now;
+        if (match.state.mode != PlayMode::PlayOn || !barred_from_scoring(use, now)) return 0.0;
+        const double left = kPassScoreWait - (now - *use.last);
+        return left > 0.5 * kCycleSeconds ? left : 0.0;  // less is what sums of 0.02 leave over
+    };
+    match.state.pass_wait_left = wait(wire::Side::Left);
+    match.state.pass_wait_right = wait(wire::Side::Right);
 }
 
 }  // namespace k3d::server::game

@@ -16,5 +16,7 @@ void pass_mode(Match& match);
 /// In play: who touches the ball after pass mode.
 void follow_passes(Match& match);
 bool may_score(Match& match, wire::Side team);
+/// For everybody to see: how long either team may not yet score. Only in PlayOn.
+void tell_score_wait(Match& match);
 
 }  // namespace k3d::server::game

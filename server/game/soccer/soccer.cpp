@@ -32,6 +32,7 @@ void Soccer::after_step(body::Scene& scene) {
     observe(match);
     if (config_.referee) end_half(match);
     judge(match);
+    tell_score_wait(match);
     remember(match);
 }
 
@@ -64,11 +65,14 @@ void Soccer::pass(body::Scene& scene, const body::Player& player) {
     if (config_.referee) ask_for_pass_mode(match, player);
 }
 
-Vec3 Soccer::start_slot(wire::Side team, int unum) {
-    // Slots go down the left edge 1.2 m apart; a full column moves on by 0.8 m (reference 1.6).
+Vec3 Soccer::next_start_slot(wire::Side team) {
+    // Slots go down the edge 1.2 m apart; a full column moves on by 0.8 m (reference 1.6). The field is
+    // as far as they go, however often a player leaves and comes back.
     constexpr double kTop = field::kWidth / 2.0 - 0.8;
     constexpr int kPerColumn = 1 + static_cast<int>((kTop + field::kWidth / 2.0) / 1.2);
-    const int slot = unum - 1;
+    int& used = slots_used_[team == wire::Side::Left ? 0 : 1];
+    const int slot = used;
+    used = (used + 1) % (2 * kPerColumn);
     const double x = (team == wire::Side::Left ? -field::kLength / 2.0 + 0.8
                                                : field::kLength / 2.0 - 0.8) +
                      0.8 * (slot / kPerColumn);

@@ -3,6 +3,8 @@
 // the list of rules; each is a file of this folder.
 #pragma once
 
+#include <array>
+
 #include "common/episode/result.h"
 #include "server/game/soccer/match.h"
 
@@ -28,8 +30,9 @@ class Soccer {
     /// Without seed, state hash and code version, which the caller knows.
     episode::Result result() const;
 
-    /// Where a new player of this number waits (reference 1.6); torso's field position.
-    static Vec3 start_slot(wire::Side team, int unum);
+    /// Where the next new player of a team waits: slots go by order of coming, not by number (reference
+    /// 1.6). Torso's field position.
+    Vec3 next_start_slot(wire::Side team);
 
   private:
     void judge(Match& match);
@@ -37,6 +40,7 @@ class Soccer {
     SoccerConfig config_;
     GameState state_;
     Memory memory_;
+    std::array<int, 2> slots_used_{};  ///< left, right
 };
 
 }  // namespace k3d::server::game

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <array>
 #include <filesystem>
 #include <fstream>
 
@@ -90,6 +91,40 @@ TEST(Possession, NetworkFromAFileChooses) {
     config.network = path + ".missing";
     EXPECT_THROW(make_possession(config, skills::SkillConfig{}, test::simple_kick()),
                  network::NetworkError);
+}
+
+TEST(Possession, StraightTakesTheBallForOneThatLies) {
+    PossessionConfig config;
+    config.chooser = "straight";
+    const auto first_step = [&](const PossessionConfig& c) {
+        // The ball rolls away to the left; it will stop far off to the side.
+        world::Beliefs b = scene(1, {{-3.0, 0.0}, 0.0}, {0.0, 0.0});
+        b.ball.moving = true;
+        b.ball.velocity = {0.0, 4.0};
+        b.ball.finish = {0.0, 4.0};
+        PossessionBehaviour behaviour = make_possession(c, skills::SkillConfig{}, test::simple_kick());
+        const motion::State body;
+        const PossessionInput in{.beliefs = b, .body = body, .target = {4.0, 0.0}, .robots = {}};
+        behaviour.get_skill(in);
+        return std::get<motion::Walk>(behaviour.get_skill(in));
+    };
+    EXPECT_LT(std::abs(first_step(config).turn), 0.2) << "straight on";
+    EXPECT_GT(first_step({}).turn, 0.2) << "the rules look ahead";
+}
+
+TEST(Possession, ChanceTriesEveryState) {
+    PossessionConfig config;
+    config.chooser = "random";
+    PossessionBehaviour b = make_possession(config, skills::SkillConfig{}, test::simple_kick());
+    const motion::State body;
+    world::Beliefs far = scene(1, {{-3.0, 0.0}, 0.0}, {0.0, 0.0});
+    std::array<int, kPossessionStates> seen{};
+    for (int i = 0; i < 100; ++i) {
+        far.now += 0.5;
+        b.get_skill({.beliefs = far, .body = body, .target = {4.0, 0.0}, .robots = {}});
+        ++seen[static_cast<std::size_t>(b.state())];
+    }
+    for (const int count : seen) EXPECT_GT(count, 5);
 }
 
 }  // namespace

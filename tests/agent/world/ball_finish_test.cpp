@@ -65,7 +65,10 @@ TEST_P(Rolls, NoiseAveragesOutAndTheEstimateConverges) {
     EXPECT_LT(late, 0.6 * early);
 }
 
-INSTANTIATE_TEST_SUITE_P(BallFinish, Rolls, testing::Values(1.0, 3.0, 6.0, 10.0));
+INSTANTIATE_TEST_SUITE_P(BallFinish, Rolls, testing::Values(1.0, 3.0, 6.0, 10.0),
+                         [](const auto& test) {
+                             return std::to_string(static_cast<int>(test.param)) + "_m_s";
+                         });
 
 TEST(BallFinish, IsTheDiscountedMeanOfTheLinearEstimates) {
     BallFinish finish(0.5, 2.0);

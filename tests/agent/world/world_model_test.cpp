@@ -52,7 +52,9 @@ struct Trial {
 
 class BothSides : public testing::TestWithParam<wire::Side> {};
 INSTANTIATE_TEST_SUITE_P(WorldModel, BothSides,
-                         testing::Values(wire::Side::Left, wire::Side::Right));
+                         testing::Values(wire::Side::Left, wire::Side::Right), [](const auto& test) {
+                             return test.param == wire::Side::Left ? "Left" : "Right";
+                         });
 
 TEST_P(BothSides, EverythingIsWhereItIsInTheTeamFrame) {
     std::vector<double> ball_errors;

@@ -216,6 +216,28 @@ TEST(Frames, GameStateIsToldOnChange) {
     EXPECT_THAT(frames.difference(graph, view), StartsWith("((time 1.24))(RDS 0 1)("));
 }
 
+TEST(Frames, WaitsAfterPassModeAreToldInEachFrameAsRecorded) {
+    body::Scene scene;
+    SceneGraph graph;
+    graph.update(scene);
+    Frames frames;
+    GameView view;
+    frames.restart(graph, view);
+    view.time = 1.02;
+    view.mode = game::PlayMode::PlayOn;
+    view.pass_wait_left = 9.88;
+    EXPECT_THAT(frames.difference(graph, view),
+                StartsWith("((time 1.02)(play_mode 3)(pass_mode_score_wait_left 9.88))(RDS 0 1)("));
+    EXPECT_THAT(frames.difference(graph, view),
+                StartsWith("((time 1.02)(pass_mode_score_wait_left 9.88))(RDS 0 1)("));
+    EXPECT_THAT(frames.full(graph, view),
+                HasSubstr("(play_mode 3)(pass_mode_score_wait_left 9.88))(RSG 0 1)("));
+    view.pass_wait_left = 0.0;
+    view.pass_wait_right = 0.02;
+    EXPECT_THAT(frames.difference(graph, view),
+                StartsWith("((time 1.02)(pass_mode_score_wait_right 0.02))(RDS 0 1)("));
+}
+
 TEST(Frames, OtherRobotsMeanAFullFrame) {
     body::Scene scene;
     SceneGraph graph;

@@ -4,11 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include <array>
 #include <limits>
-#include <vector>
 
-#include "common/clock/clock.h"
 #include "server/body/scene.h"
 
 namespace k3d::server {
@@ -28,55 +25,6 @@ TEST(Surface, MixesAsTheReferenceTable) {
     EXPECT_FALSE(robot_ground.bounce);
     EXPECT_DOUBLE_EQ(*robot_ground.soft_erp, 0.4);
     EXPECT_DOUBLE_EQ(*mixed(kBallSurface, kSolidSurface).bounce_velocity, 1.4);
-}
-
-/// Where a ball started at x = 0 with this speed is after t seconds.
-class Roll : public ::testing::TestWithParam<std::array<double, 6>> {};
-
-TEST_P(Roll, FollowsTheMeasuredCurve) {
-    const auto [v0, x_half, x_one, x_two, x_end, v_one] = GetParam();
-    body::Scene scene;
-    scene.ball.move({0, 0, 0.040276});
-    scene.ball.set_velocity({v0, 0, 0});
-    const double tolerance = 0.03 * v0;
-    for (Cycle now{1}; now.seconds() < 8.0; ++now) {
-        scene.world.step();
-        const double x = scene.ball.position().x();
-        if (now.count == 25) {
-            EXPECT_NEAR(x, x_half, 0.03 * x_half);
-        } else if (now.count == 50) {
-            EXPECT_NEAR(x, x_one, 0.03 * x_one);
-            EXPECT_NEAR(scene.ball.velocity().x(), v_one, tolerance);
-        } else if (now.count == 100) {
-            EXPECT_NEAR(x, x_two, 0.03 * x_two);
-        }
-    }
-    EXPECT_NEAR(scene.ball.position().x(), x_end, 0.03 * x_end);
-}
-
-INSTANTIATE_TEST_SUITE_P(Measured, Roll,
-                         ::testing::Values(std::array{1.0, 0.2793, 0.4432, 0.5962, 0.676, 0.2510},
-                                           std::array{3.0, 0.8379, 1.3296, 1.7887, 2.030, 0.7530},
-                                           std::array{6.0, 1.6759, 2.6592, 3.5774, 4.061,
-                                                      1.5065}));
-
-TEST(Ball, BouncesAsMeasured) {
-    body::Scene scene;
-    scene.ball.move({0, 0, 1.042});
-    std::vector<double> peaks;
-    double last = 0.0;
-    bool rising = false;
-    for (int cycle = 0; cycle < 100; ++cycle) {
-        scene.world.step();
-        const double z = scene.ball.position().z();
-        if (rising && z < last) peaks.push_back(last);
-        rising = z > last && cycle > 0;
-        last = z;
-    }
-    ASSERT_GE(peaks.size(), 3U);
-    EXPECT_NEAR(peaks[0], 0.4318, 0.04);
-    EXPECT_NEAR(peaks[1], 0.1984, 0.02);
-    EXPECT_NEAR(peaks[2], 0.1037, 0.01);
 }
 
 TEST(Ball, SpeedFallsToAThirdInASecondOfRolling) {

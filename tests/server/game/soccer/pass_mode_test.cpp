@@ -71,6 +71,22 @@ TEST_F(Pass, NoGoalUnlessTheBallWasPassed) {
     EXPECT_EQ(mode(), PlayMode::GoalKickRight);
 }
 
+TEST_F(Pass, TellsHowLongNoGoalCounts) {
+    ask(Side::Left, 1);
+    step();
+    EXPECT_EQ(game.state().pass_wait_left, 0.0) << "only in play";
+    touch(Side::Left, 1);
+    ASSERT_EQ(mode(), PlayMode::PlayOn);
+    const double first = game.state().pass_wait_left;
+    EXPECT_NEAR(first, 10.0, 0.03);
+    EXPECT_EQ(game.state().pass_wait_right, 0.0);
+    step_away(Side::Left, 1);
+    step(5);
+    EXPECT_NEAR(game.state().pass_wait_left, first - 0.1, 1e-9);
+    seconds(9.9);
+    EXPECT_EQ(game.state().pass_wait_left, 0.0);
+}
+
 TEST_F(Pass, GoalCountsAfterAMateHasTakenThePass) {
     ask(Side::Left, 1);
     step();
@@ -82,6 +98,7 @@ TEST_F(Pass, GoalCountsAfterAMateHasTakenThePass) {
     step_away(Side::Left, 1);
     step();
     touch(Side::Left, 2);
+    EXPECT_EQ(game.state().pass_wait_left, 0.0);
     step_away(Side::Left, 2);
     roll({14.5, 0.0, 0.042}, {4, 0, 0});
     step(20);

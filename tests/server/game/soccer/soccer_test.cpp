@@ -21,6 +21,22 @@ TEST_F(SoccerRig, BeforeKickOffTheBallIsCentredTheClockStandsAndHalvesAreKept) {
     EXPECT_TRUE(game.beam_allowed());
 }
 
+TEST_F(SoccerRig, NewPlayersStandInOrderOfComingWhateverTheirNumber) {
+    // As the reference server was seen to place the numbers 9, 1, 2 of one team and 7, 3 of the other.
+    for (const double y : {9.2, 8.0, 6.8}) {
+        const Vec3 slot = game.next_start_slot(Side::Left);
+        EXPECT_NEAR((slot - Vec3(-14.2, y, 0.4)).norm(), 0.0, 1e-9) << slot.transpose();
+    }
+    for (const double y : {9.2, 8.0}) {
+        const Vec3 slot = game.next_start_slot(Side::Right);
+        EXPECT_NEAR((slot - Vec3(14.2, y, 0.4)).norm(), 0.0, 1e-9) << slot.transpose();
+    }
+    for (int again = 0; again < 1000; ++again) {
+        EXPECT_LT(std::abs(game.next_start_slot(Side::Left).x()), 15.0);
+        EXPECT_LT(std::abs(game.next_start_slot(Side::Right).x()), 15.5);
+    }
+}
+
 TEST_F(SoccerRig, KickOffBecomesPlayOnWithTheFirstTouch) {
     game.kick_off(Side::Left);
     step(10);

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Where K3 stands: the paper leaves it at home; here a learned function may value the target points
+// as places for the pass after the next one, by the machinery that values K1's targets. Team frame, m.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "agent/decision/keepaway/features.h"
+#include "common/network/network.h"
+
+namespace k3d::agent::decision {
+
+/// f1..f8 with the ball where the present pass will end and K3 alone as receiver, so that f4 is its
+/// squared way; f9 is the squared distance to the keeper who gets the present pass.
+inline constexpr std::array<std::string_view, 9> kOpenPlaceNames{"f1", "f2", "f3", "f4", "f5",
+                                                                 "f6", "f7", "f8", "f9"};
+
+class OpenPlace {
+  public:
+    /// Throws network::NetworkError for a file that is missing, damaged or of another shape.
+    OpenPlace(const std::string& file, std::vector<Vec2> grid);
+
+    /// The place of lowest cost, the first of equals; the one chosen before stays unless another is
+    /// better by kKeep of its absolute cost. `situation` has the receiver of the present pass in
+    /// `ball`, K3 in `receivers`.
+    Vec2 choose(const PassSituation& situation, double ideal_pass);
+
+    static constexpr double kKeep = 0.1;
+
+  private:
+    double cost(const Vec2& point, const PassSituation& situation, double ideal_pass);
+
+    network::Network net_;
+    network::State state_;
+    std::vector<Vec2> grid_;
+    std::optional<Vec2> before_;
+};
+
+}  // namespace k3d::agent::decision

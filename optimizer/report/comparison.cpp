@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What a comparison says; how it looks is comparison_text.cpp.
+#include "optimizer/report/comparison.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <functional>
+#include <map>
+
+#include "optimizer/fitness/fitness.h"
+
+namespace k3d::optimizer::report {
+
+namespace {
+
+using k3d::episode::Result;
+using Value = std::function<std::optional<double>(const ledger::Row&, const Result&)>;
+
+struct Figure {
+    std::string name;
+    std::string title;
+    Value value;
+};
+
+Figure plain(std::string name, std::string title) {
+    Value value = [name](const ledger::Row&, const Result& r) -> std::optional<double> {
+        const auto found = fitness::figure(r, name);
+        return found ? std::optional(*found) : std::nullopt;
+    };
+    return {std::move(name), std::move(title), std::move(value)};
+}
+
+std::vector<Figure> figures_of(const spec::TaskSpec& task) {
+    if (task.name == "keepaway") {
+        return {plain("attempts", "Passes as the paper counts them: kick attempts"),
+                plain("hold_time_s", "Hold time, s"),
+                plain("passes_completed", "Passes completed, as the server sees them"),
+                plain("kicks", "Kicks, as the server sees them")};
+    }
+    if (task.name == "possession") {
+        // The drill's limit and a penalty stand for the time of an episode without a kick.
+        return {{"time_s", "Time to the kick, s (30 without one)",
+                 [](const ledger::Row& row, const Result&) { return std::optional(-row.fitness); }},
+                plain("succeeded", "Share of good kicks"), plain("falls", "Falls")};
+    }
+    if (task.name == "kick") {
+        return {plain("fitness_capped", "Equation (1), distance at most 6 m"),
+                plain("fitness_literal", "Equation (1), distance at least 6 m, as printed"),
+                plain("time_to_kick_s", "Time to the kick, s"), plain("distance_m", "Distance, m"),
+                plain("direction_error_deg", "Direction error, degrees")};
+    }
+    return {plain("finish_loss", "Mean squared error of the predicted stop, m^2"),
+            plain("finish_error_0.5s_m", "Its error after 0.5 s, m"),
+            plain("finish_error_1.0s_m", "Its error after 1 s, m"),
+            plain("finish_error_2.0s_m", "Its error after 2 s, m")};
+}
+
+/// By episode, of those with a valid result that has this figure.
+std::map<int, double> values_of(const ComparedRow& row, const Figure& figure) {
+    std::map<int, double> values;
+    for (const ledger::Row& r : row.rows) {
+        if (r.result.empty()) continue;
+        if (const auto value = figure.value(r, k3d::episode::from_line(r.result))) {
+            values[r.key.episode] = *value;
+        }
+    }
+    return values;
+}
+
+std::optional<Paired> paired_by_episode(const std::map<int, double>& a,
+                                        const std::map<int, double>& b) {
+    std::vector<double> of_a, of_b;
+    for (const auto& [episode, value] : a) {
+        const auto other = b.find(episode);
+        if (other == b.end()) continue;
+        of_a.push_back(value);
+        of_b.push_back(other->second);
+    }
+    return paired(of_a, of_b);
+}
+
+void add_holm(ComparedFigure& figure) {
+    std::vector<double> p;
+    for (const ComparedLine& line : figure.lines) {
+        if (line.against) p.push_back(line.against->p_permutation);
+    }
+    const std::vector<double> corrected = holm(p);
+    std::size_t next = 0;
+    for (ComparedLine& line : figure.lines) {
+        if (line.against) line.p_holm = corrected[next++];
+    }
+}
+
+/// Of each search with several runs the median one by this figure, the lower one of two.
+void mark_medians(const Comparison& comparison, ComparedFigure& figure) {
+    std::map<std::string, std::vector<std::size_t>> runs;
+    for (std::size_t i = 0; i < comparison.rows.size(); ++i) {
+        const auto& search = comparison.rows[i].spec.search;
+        if (!search.empty() && figure.lines[i].s.mean) runs[search].push_back(i);
+    }
+    for (auto& [search, lines] : runs) {
+        if (lines.size() < 2) continue;
+        std::stable_sort(lines.begin(), lines.end(), [&](std::size_t x, std::size_t y) {
+            return *figure.lines[x].s.mean < *figure.lines[y].s.mean;
+        });
+        figure.lines[lines[(lines.size() - 1) / 2]].label += " (median run)";
+    }
+}
+
+}  // namespace
+
+std::vector<ComparedFigure> compare(const Comparison& comparison) {
+    const auto reference = std::find_if(
+        comparison.rows.begin(), comparison.rows.end(),
+        [&](const ComparedRow& row) { return row.spec.key == comparison.table.reference; });
+    std::vector<ComparedFigure> out;
+    for (const Figure& figure : figures_of(comparison.table.task)) {
+        ComparedFigure compared{figure.name, figure.title, {}};
+        const auto base = reference == comparison.rows.end() ? std::map<int, double>()
+                                                             : values_of(*reference, figure);
+        for (const ComparedRow& row : comparison.rows) {
+            const auto values = values_of(row, figure);
+            std::vector<double> sample;
+            for (const auto& [episode, value] : values) sample.push_back(value);
+            ComparedLine line{row.spec.key, row.spec.label, statistics(sample), std::nullopt};
+            if (row.spec.key != comparison.table.reference) {
+                line.against = paired_by_episode(values, base);
+            }
+            compared.lines.push_back(std::move(line));
+        }
+        add_holm(compared);
+        mark_medians(comparison, compared);
+        out.push_back(std::move(compared));
+    }
+    return out;
+}
+
+Circumstances circumstances(const ComparedRow& row) {
+    Circumstances out;
+    out.episodes = row.rows.size();
+    std::vector<double> takers, keepers;
+    std::map<std::string, int> endings;
+    double falls = 0.0, minutes = 0.0;
+    for (const ledger::Row& r : row.rows) {
+        ++endings[r.reason];
+        if (r.result.empty()) {
+            ++out.failed;
+            continue;
+        }
+        const Result result = k3d::episode::from_line(r.result);
+        out.truncated += result.status == k3d::episode::Status::Truncated;
+        for (const auto& player : result.players) {
+            (player.team == "right" ? takers : keepers).push_back(player.mean_speed);
+            falls += player.falls;
+            minutes += result.hold_time_s / 60.0;
+        }
+    }
+    out.taker_speed = statistics(takers).mean;
+    out.keeper_speed = statistics(keepers).mean;
+    if (minutes > 0.0) out.falls_per_minute = falls / minutes;
+    for (const auto& [reason, count] : endings) {
+        out.endings += fmt::format("{}{} {}", out.endings.empty() ? "" : ", ", reason, count);
+    }
+    return out;
+}
+
+}  // namespace k3d::optimizer::report

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A table of test episodes: rows that met the same seeds, each figure with its mean, spread and interval,
+// and beside it how far it lies from the reference row, by seed. As text, CSV and HTML.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "optimizer/ledger/row.h"
+#include "optimizer/report/paired.h"
+#include "optimizer/report/statistics.h"
+#include "optimizer/spec/reproduction.h"
+
+namespace k3d::optimizer::report {
+
+struct ComparedRow {
+    spec::RowSpec spec;
+    std::string origin;              ///< who plays, e.g. which candidate of which run
+    std::vector<ledger::Row> rows;   ///< in the order of episodes; fewer if the table is unfinished
+};
+
+struct Comparison {
+    spec::TableSpec table;
+    std::vector<ComparedRow> rows;
+    std::vector<spec::PaperRow> paper;
+};
+
+/// One row in one figure.
+struct ComparedLine {
+    std::string key;
+    std::string label;     ///< "(median run)" at its end, where a search has several runs
+    Statistics s;
+    std::optional<Paired> against;  ///< the reference row; none of that row itself
+    double p_holm = 1.0;            ///< of the permutation test, over the lines of this figure
+};
+
+struct ComparedFigure {
+    std::string name;      ///< "hold_time_s"
+    std::string title;     ///< "Hold time, s"
+    std::vector<ComparedLine> lines;
+};
+
+/// How the episodes of a row went apart from its figures.
+struct Circumstances {
+    std::size_t episodes = 0;
+    int failed = 0;        ///< no valid result in all tries; in no mean
+    int truncated = 0;     ///< at the time limit; in the means
+    std::optional<double> taker_speed;   ///< m/s, mean over takers and episodes
+    std::optional<double> keeper_speed;
+    std::optional<double> falls_per_minute;  ///< and player
+    std::string endings;
+};
+
+std::vector<ComparedFigure> compare(const Comparison& comparison);
+Circumstances circumstances(const ComparedRow& row);
+
+std::string comparison_text(const Comparison& comparison);
+std::string comparison_html(const Comparison& comparison);
+/// A line per row and figure; the head is comparison_csv_head().
+std::string comparison_csv(const Comparison& comparison);
+std::string comparison_csv_head();
+
+}  // namespace k3d::optimizer::report

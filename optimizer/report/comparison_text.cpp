@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A comparison as text, CSV and HTML.
+#include <fmt/format.h>
+
+#include "optimizer/report/comparison.h"
+#include "optimizer/report/run_text.h"
+#include "optimizer/report/svg_plot.h"
+
+namespace k3d::optimizer::report {
+
+namespace {
+
+std::string number(const std::optional<double>& value, int digits = 2) {
+    return value ? fmt::format("{:.{}f}", *value, digits) : "-";
+}
+
+std::string p_value(double p) {
+    return p < 1e-4 ? "<0.0001" : fmt::format("{:.4f}", p);
+}
+
+std::string interval(const Statistics& s) {
+    const auto half = half_width_95(s);
+    return half ? fmt::format("{:.2f}..{:.2f}", *s.mean - *half, *s.mean + *half) : "-";
+}
+
+/// What is said of a line, cell by cell; the heads are kHeads.
+std::vector<std::string> cells(const ComparedLine& line) {
+    std::vector<std::string> out{std::to_string(line.s.n), number(line.s.mean), number(line.s.sd),
+                                 number(line.s.se), interval(line.s)};
+    if (!line.against) {
+        out.insert(out.end(), 5, "");
+        return out;
+    }
+    const Paired& p = *line.against;
+    out.push_back(fmt::format("{:+.2f} ({:+.2f}..{:+.2f})", p.difference, p.low, p.high));
+    out.push_back(p.ratio ? fmt::format("{:.2f} ({:.2f}..{:.2f})", *p.ratio, p.ratio_low, p.ratio_high)
+                          : "-");
+    out.push_back(p_value(p.p_permutation));
+    out.push_back(p_value(line.p_holm));
+    out.push_back(p_value(p.p_wilcoxon));
+    return out;
+}
+
+const std::vector<std::pair<std::string, std::size_t>> kHeads{
+    {"n", 5},          {"mean", 7},       {"sd", 7},       {"se", 6},          {"95 %", 14},
+    {"difference", 24}, {"ratio", 18}, {"p", 8}, {"p Holm", 8}, {"p Wilcoxon", 10}};
+
+/// The paper's figures under one of ours; empty for one that it does not have.
+std::vector<std::pair<std::string, std::string>> paper_lines(const Comparison& c,
+                                                             const std::string& figure) {
+    std::vector<std::pair<std::string, std::string>> out;
+    for (const spec::PaperRow& row : c.paper) {
+        const bool attempts = figure == "attempts";
+        if (!attempts && figure != "hold_time_s") continue;
+        out.emplace_back(row.label,
+                         fmt::format("{} (se {}, n 100)", attempts ? row.attempts : row.hold_time_s,
+                                     attempts ? row.attempts_se : row.hold_time_se));
+    }
+    return out;
+}
+
+std::string reference_label(const Comparison& c) {
+    for (const ComparedRow& row : c.rows) {
+        if (row.spec.key == c.table.reference) return row.spec.label;
+    }
+    return "-";
+}
+
+std::string figure_text(const Comparison& c, const ComparedFigure& figure) {
+    std::string text = fmt::format("\n{}\n{:<52}", figure.title, "");
+    for (const auto& [head, width] : kHeads) text += fmt::format(" {:>{}}", head, width);
+    text += '\n';
+    for (const ComparedLine& line : figure.lines) {
+        text += fmt::format("{:<52}", line.label);
+        const auto said = cells(line);
+        for (std::size_t i = 0; i < said.size(); ++i) {
+            text += fmt::format(" {:>{}}", said[i], kHeads[i].second);
+        }
+        text.erase(text.find_last_not_of(' ') + 1);
+        text += '\n';
+    }
+    for (const auto& [label, said] : paper_lines(c, figure.name)) {
+        text += fmt::format("{:<52} {}\n", label, said);
+    }
+    return text;
+}
+
+std::string figure_html(const Comparison& c, const ComparedFigure& figure) {
+    std::string out = fmt::format("<h3>{}</h3>\n<div class=\"wide\"><table><tr><th></th>",
+                                  escape(figure.title));
+    for (const auto& [head, width] : kHeads) out += fmt::format("<th>{}</th>", head);
+    out += "</tr>\n";
+    for (const ComparedLine& line : figure.lines) {
+        out += fmt::format("<tr><td>{}</td>", escape(line.label));
+        for (const std::string& said : cells(line)) out += fmt::format("<td>{}</td>", escape(said));
+        out += "</tr>\n";
+    }
+    for (const auto& [label, said] : paper_lines(c, figure.name)) {
+        out += fmt::format("<tr class=\"dim\"><td>{}</td><td colspan=\"10\">{}</td></tr>\n",
+                           escape(label), escape(said));
+    }
+    return out + "</table></div>\n";
+}
+
+std::vector<std::pair<std::string, std::string>> said_of(const ComparedRow& row) {
+    const Circumstances s = circumstances(row);
+    return {{"episodes", std::to_string(s.episodes)},
+            {"failed", std::to_string(s.failed)},
+            {"at the limit", std::to_string(s.truncated)},
+            {"takers m/s", number(s.taker_speed)},
+            {"keepers m/s", number(s.keeper_speed)},
+            {"falls per player and minute", number(s.falls_per_minute)},
+            {"ended by", s.endings},
+            {"who", row.origin}};
+}
+
+}  // namespace
+
+std::string comparison_text(const Comparison& c) {
+    std::string text = fmt::format("{}\n{}\n", c.table.title, std::string(c.table.title.size(), '='));
+    text += fmt::format("differences, ratios and p against: {}, by seed\n", reference_label(c));
+    for (const ComparedFigure& figure : compare(c)) text += figure_text(c, figure);
+    text += '\n';
+    for (const ComparedRow& row : c.rows) {
+        text += row.spec.label + ":";
+        for (const auto& [name, value] : said_of(row)) {
+            if (value != "-") text += fmt::format(" {} {};", name, value);
+        }
+        text.back() = '\n';
+    }
+    return text;
+}
+
+std::string comparison_html(const Comparison& c) {
+    std::string out = fmt::format(
+        "<h2>{}</h2>\n<p class=\"dim\">Differences, ratios and p against: {}, by seed. p: signs of the "
+        "differences flipped at random, two-sided; Holm: over the rows of the figure.</p>\n",
+        escape(c.table.title), escape(reference_label(c)));
+    for (const ComparedFigure& figure : compare(c)) out += figure_html(c, figure);
+    out += "<div class=\"wide\"><table><tr><th></th>";
+    for (const ComparedRow& row : c.rows) {
+        if (&row == &c.rows.front()) {
+            for (const auto& [name, value] : said_of(row)) out += "<th>" + name + "</th>";
+            out += "</tr>\n";
+        }
+        out += fmt::format("<tr><td>{}</td>", escape(row.spec.label));
+        for (const auto& [name, value] : said_of(row)) out += "<td>" + escape(value) + "</td>";
+        out += "</tr>\n";
+    }
+    return out + "</table></div>\n";
+}
+
+std::string comparison_csv_head() {
+    return "table,row,label,figure,n,mean,sd,se,low_95,high_95,reference,difference,difference_low_95,"
+           "difference_high_95,ratio,ratio_low_95,ratio_high_95,p_permutation,p_holm,p_wilcoxon,"
+           "correlation,taker_speed_mps,failed,truncated\n";
+}
+
+std::string comparison_csv(const Comparison& c) {
+    const auto cell = [](const std::optional<double>& value) {
+        return value ? fmt::format("{}", *value) : std::string();
+    };
+    std::string text;
+    for (const ComparedFigure& figure : compare(c)) {
+        for (std::size_t i = 0; i < figure.lines.size(); ++i) {
+            const ComparedLine& line = figure.lines[i];
+            const Circumstances s = circumstances(c.rows[i]);
+            const auto half = half_width_95(line.s);
+            text += fmt::format("{},{},\"{}\",{},{},{},{},{},{},{},{}", c.table.name, line.key,
+                                line.label, figure.name, line.s.n, cell(line.s.mean),
+                                cell(line.s.sd), cell(line.s.se),
+                                half ? cell(*line.s.mean - *half) : "",
+                                half ? cell(*line.s.mean + *half) : "", c.table.reference);
+            if (const auto& p = line.against) {
+                const bool ratio = p->ratio.has_value();
+                text += fmt::format(",{},{},{},{},{},{},{},{},{},{}", p->difference, p->low, p->high,
+                                    cell(p->ratio), ratio ? cell(p->ratio_low) : "",
+                                    ratio ? cell(p->ratio_high) : "", p->p_permutation,
+                                    line.p_holm, p->p_wilcoxon, p->correlation);
+            } else {
+                text += std::string(10, ',');
+            }
+            text += fmt::format(",{},{},{}\n", cell(s.taker_speed), s.failed, s.truncated);
+        }
+    }
+    return text;
+}
+
+}  // namespace k3d::optimizer::report

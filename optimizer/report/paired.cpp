@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "optimizer/report/paired.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "common/log/log.h"
+#include "common/random/stream.h"
+#include "optimizer/report/run_text.h"
+#include "optimizer/report/statistics.h"
+
+namespace k3d::optimizer::report {
+
+namespace {
+
+constexpr int kFlips = 20000;  // the smallest p that can be told is 1 / 20001
+constexpr int kDraws = 10000;
+
+double sum(const std::vector<double>& values) {
+    return std::accumulate(values.begin(), values.end(), 0.0);
+}
+
+double permutation(const std::vector<double>& differences) {
+    RandomStream stream(1, "paired", "permutation");
+    const double seen = std::abs(sum(differences));
+    int as_far = 1;  // the sample itself is one of the permutations
+    for (int i = 0; i < kFlips; ++i) {
+        double flipped = 0.0;
+        for (std::size_t at = 0; at < differences.size(); at += 64) {
+            std::uint64_t signs = stream.next();
+            for (std::size_t k = at; k < std::min(at + 64, differences.size()); ++k, signs >>= 1) {
+                flipped += (signs & 1) != 0 ? differences[k] : -differences[k];
+            }
+        }
+        // Rounding must not make a permutation of equal worth count as less.
+        as_far += std::abs(flipped) >= seen * (1.0 - 1e-12);
+    }
+    return static_cast<double>(as_far) / (kFlips + 1.0);
+}
+
+/// Zeros are left out, ties share their ranks and lessen the variance.
+double wilcoxon(std::vector<double> d) {
+    std::erase(d, 0.0);
+    if (d.empty()) return 1.0;
+    std::sort(d.begin(), d.end(), [](double x, double y) { return std::abs(x) < std::abs(y); });
+    const auto n = static_cast<double>(d.size());
+    double positive = 0.0;
+    double ties = 0.0;
+    for (std::size_t i = 0; i < d.size();) {
+        std::size_t end = i;
+        while (end < d.size() && std::abs(d[end]) == std::abs(d[i])) ++end;
+        const double rank = 0.5 * static_cast<double>(i + end + 1);
+        const auto t = static_cast<double>(end - i);
+        ties += t * t * t - t;
+        for (; i < end; ++i) positive += d[i] > 0.0 ? rank : 0.0;
+    }
+    const double mean = n * (n + 1.0) / 4.0;
+    const double variance = n * (n + 1.0) * (2.0 * n + 1.0) / 24.0 - ties / 48.0;
+    if (!(variance > 0.0)) return 1.0;
+    const double z = std::max(0.0, std::abs(positive - mean) - 0.5) / std::sqrt(variance);
+    return std::erfc(z / std::sqrt(2.0));
+}
+
+void add_ratio(const std::vector<double>& a, const std::vector<double>& b, Paired& out) {
+    if (!(sum(b) > 0.0)) return;
+    out.ratio = sum(a) / sum(b);
+    RandomStream stream(1, "paired", "bootstrap");
+    std::vector<double> ratios;
+    for (int draw = 0; draw < kDraws; ++draw) {
+        double of_a = 0.0, of_b = 0.0;
+        for (std::size_t i = 0; i < a.size(); ++i) {
+            const auto k = static_cast<std::size_t>(stream.below(static_cast<int>(a.size())));
+            of_a += a[k];
+            of_b += b[k];
+        }
+        if (of_b > 0.0) ratios.push_back(of_a / of_b);
+    }
+    if (ratios.empty()) return;
+    std::sort(ratios.begin(), ratios.end());
+    const auto at = [&](double share) {
+        return ratios[static_cast<std::size_t>(share * static_cast<double>(ratios.size() - 1))];
+    };
+    out.ratio_low = at(0.025);
+    out.ratio_high = at(0.975);
+}
+
+double correlation(const std::vector<double>& a, const std::vector<double>& b) {
+    const Statistics of_a = statistics(a), of_b = statistics(b);
+    if (!(*of_a.sd > 0.0) || !(*of_b.sd > 0.0)) return 0.0;
+    double product = 0.0;
+    for (std::size_t i = 0; i < a.size(); ++i) product += (a[i] - *of_a.mean) * (b[i] - *of_b.mean);
+    return product / (static_cast<double>(a.size() - 1) * *of_a.sd * *of_b.sd);
+}
+
+}  // namespace
+
+std::optional<Paired> paired(const std::vector<double>& a, const std::vector<double>& b) {
+    K3D_ASSERT(a.size() == b.size());
+    if (a.size() < 2) return std::nullopt;
+    std::vector<double> differences;
+    for (std::size_t i = 0; i < a.size(); ++i) differences.push_back(a[i] - b[i]);
+    const Statistics s = statistics(differences);
+    Paired out;
+    out.n = a.size();
+    out.difference = *s.mean;
+    out.low = *s.mean - *half_width_95(s);
+    out.high = *s.mean + *half_width_95(s);
+    out.p_permutation = permutation(differences);
+    out.p_wilcoxon = wilcoxon(differences);
+    out.correlation = correlation(a, b);
+    add_ratio(a, b, out);
+    return out;
+}
+
+std::vector<double> holm(const std::vector<double>& p) {
+    std::vector<std::size_t> order(p.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::sort(order.begin(), order.end(), [&](std::size_t x, std::size_t y) {
+        return p[x] != p[y] ? p[x] < p[y] : x < y;
+    });
+    std::vector<double> out(p.size(), 1.0);
+    double least = 0.0;
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        least = std::max(least, p[order[i]] * static_cast<double>(p.size() - i));
+        out[order[i]] = std::min(1.0, least);
+    }
+    return out;
+}
+
+}  // namespace k3d::optimizer::report

@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "optimizer/spec/reproduction.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <stdexcept>
+
+#include "common/config/config.h"
+#include "optimizer/spec/settings.h"
+#include "optimizer/spec/words.h"
+
+namespace k3d::optimizer::spec {
+
+namespace {
+
+/// Rows of the runs of every search of a part, in the order of searches().
+void add_learned(std::vector<RowSpec>& rows, const std::string& part, const Budget& budget) {
+    for (const Search& search : searches()) {
+        if (search.part != part) continue;
+        const int runs = budget.searches.at(search.name).runs;
+        for (int run = 1; run <= runs; ++run) {
+            rows.push_back({.key = fmt::format("{}-{}", search.name, run),
+                            .label = runs > 1 ? fmt::format("{}, run {}", search.label, run)
+                                              : search.label,
+                            .settings = {},
+                            .search = search.name,
+                            .run = run});
+        }
+    }
+}
+
+RowSpec plain(std::string key, std::string label, std::string settings) {
+    return {.key = std::move(key),
+            .label = std::move(label),
+            .settings = std::move(settings),
+            .search = {}};
+}
+
+RowSpec best_learned() {
+    RowSpec row = plain("champion", "Learned: champion of table 1", "");
+    row.takes_best = true;
+    return row;
+}
+
+TableSpec keepaway_table(std::string name, std::string title, const Budget& budget) {
+    TableSpec table;
+    table.name = std::move(name);
+    table.title = std::move(title);
+    table.task.settings = budget.settings;
+    table.episodes = budget.keepaway_episodes;
+    table.reference = "algorithm2";
+    return table;
+}
+
+std::vector<RowSpec> keepaway_baselines() {
+    return {plain("algorithm2", "Algorithm 2 as printed", "keeper.policy=handcoded"),
+            plain("random", "Random target", "keeper.policy=random"),
+            plain("hold", "Always hold", "keeper.policy=hold"),
+            plain("still", "Stand still", "keeper.policy=still")};
+}
+
+std::vector<TableSpec> table1(const Budget& budget) {
+    std::vector<TableSpec> tables;
+    const auto add = [&](TableSpec table, const std::string& taker) {
+        table.part = "table1";
+        table.task.taker = taker;
+        tables.push_back(std::move(table));
+    };
+    for (const std::string& taker : split_words(budget.takers)) {
+        TableSpec table = keepaway_table("table1-" + taker, "Table 1, takers " + taker, budget);
+        add_learned(table.rows, "table1", budget);
+        const auto baselines = keepaway_baselines();
+        table.rows.insert(table.rows.end(), baselines.begin(), baselines.end());
+        add(std::move(table), taker);
+    }
+    if (budget.slow_takers) {
+        // Takers share our walk; the reference team's is slower, and so may the paper's have been.
+        TableSpec table = keepaway_table(
+            "table1-slow", "Table 1, takers greedy_random, at most 0.66 m/s", budget);
+        table.task.settings += " taker:taker.top_speed=0.66";
+        table.rows = {best_learned(), keepaway_baselines().front()};
+        add(std::move(table), "greedy_random");
+    }
+    return tables;
+}
+
+std::vector<TableSpec> transfer(const Budget& budget) {
+    std::vector<TableSpec> tables;
+    const auto add = [&](const std::string& name, const std::string& title, int keepers, int takers,
+                         const std::string& settings) {
+        TableSpec table = keepaway_table("transfer-" + name, title, budget);
+        table.part = "transfer";
+        table.episodes = budget.transfer_episodes;
+        table.task.taker = "greedy_random";
+        table.task.keepers = keepers;
+        table.task.takers = takers;
+        table.task.settings += settings;
+        table.rows = {best_learned(), keepaway_baselines().front()};
+        tables.push_back(std::move(table));
+    };
+    add("4v3", "4 keepers against 3 takers, champion of 3 against 2", 4, 3, "");
+    add("5v4", "5 keepers against 4 takers, champion of 3 against 2", 5, 4, "");
+    for (const std::string& side : split_words(budget.sides)) {
+        add(side + "m", fmt::format("Area of {0} x {0} m, champion of 10 x 10 m", side), 3, 2,
+            fmt::format(" server:keepaway.side={0} agent:keepaway.side={0}", side));
+    }
+    return tables;
+}
+
+TableSpec possession(const Budget& budget) {
+    TableSpec table;
+    table.name = table.part = "possession";
+    table.title = "Getting possession: time to the kick on the twelve test scenarios";
+    table.task.name = "possession";
+    table.task.worst = -30.0;
+    table.episodes = budget.possession_episodes;
+    table.reference = "rules";
+    add_learned(table.rows, "possession", budget);
+    table.rows.push_back(plain("rules", "Hand-coded state machine", "possession.chooser=rules"));
+    table.rows.push_back(plain("straight", "Straight to the ball", "possession.chooser=straight"));
+    table.rows.push_back(plain("random", "Random state", "possession.chooser=random"));
+    return table;
+}
+
+void check_taker(const std::string& taker) {
+    if (taker == "greedy" || taker == "greedy_random") return;
+    throw std::invalid_argument(fmt::format("takers: '{}' is not greedy or greedy_random", taker));
+}
+
+void check_side(const std::string& side) {
+    double value = 0.0;
+    const auto read = std::from_chars(side.data(), side.data() + side.size(), value);
+    const bool whole = read.ec == std::errc() && read.ptr == side.data() + side.size();
+    if (whole && value >= 8.0 && value <= 14.0) return;
+    throw std::invalid_argument(fmt::format("sides: '{}' is not a number from 8 to 14", side));
+}
+
+TableSpec drill_table(const std::string& part, const Budget& budget) {
+    const bool kick = part == "fig2";
+    TableSpec table;
+    table.name = table.part = part;
+    table.title = kick ? "Kick by equation (1) on the twelve test scenarios"
+                       : "Prediction of where a rolling ball stops";
+    table.task.name = kick ? "kick" : "ball_prediction";
+    table.task.worst = kick ? -1.0 : -25.0;
+    table.episodes = kick ? budget.kick_episodes : budget.rolls;
+    table.reference = "untuned";
+    add_learned(table.rows, part, budget);
+    table.rows.push_back(plain("untuned", "The agent's own settings", ""));
+    return table;
+}
+
+}  // namespace
+
+const std::vector<Search>& searches() {
+    static const std::vector<Search> list{
+        {"kick", "fig2", "Kick by CMA-ES"},
+        {"ball_prediction", "fig3", "Prediction by CMA-ES"},
+        {"possession_neat", "possession", "Network by NEAT"},
+        {"possession_linear", "possession", "Linear network by CMA-ES"},
+        {"keepaway_linear", "table1", "Learned: linear by CMA-ES"},
+        {"keepaway_neat_noise", "table1", "Learned: NEAT with noise handling"},
+        {"keepaway_neat", "table1", "Learned: NEAT as in the paper"},
+        {"keepaway_linear_hold", "table1", "Learned: linear by CMA-ES, hold time as fitness"},
+        {"keepaway_algorithm2", "table1", "Algorithm 2, constants by CMA-ES"},
+        {"keepaway_getopen", "table1", "Algorithm 2, K3's place learned by CMA-ES"}};
+    return list;
+}
+
+Budget::Budget() {
+    for (const Search& search : spec::searches()) searches[search.name];
+}
+
+void Budget::describe(config::Fields& f) {
+    f.text("description", description, {}, "what it is for");
+    f.integer("keepaway_episodes", keepaway_episodes, {2, 100000}, "", "test episodes of a row of table 1");
+    f.integer("possession_episodes", possession_episodes, {2, 100000}, "", "of possession");
+    f.integer("transfer_episodes", transfer_episodes, {2, 100000}, "", "of transfer");
+    f.integer("kick_episodes", kick_episodes, {2, 100000}, "", "of fig2");
+    f.integer("rolls", rolls, {2, 100000}, "", "balls of fig3");
+    f.text("takers", takers, {}, "words greedy, greedy_random: a table 1 against each");
+    f.text("sides", sides, {}, "words: other sides of the area, m, that transfer tries");
+    f.text("settings", settings, {}, "words PROGRAM:path=value in all keepaway test episodes");
+    f.boolean("slow_takers", slow_takers, "table 1 also against takers of 0.66 m/s");
+    for (auto& [name, search] : searches) f.section(name, search);
+}
+
+Budget load_budget(const std::string& file) {
+    Budget budget;
+    config::load_file(config::describing(budget), file);
+    try {
+        parse_settings(budget.settings);
+        for (const std::string& taker : split_words(budget.takers)) check_taker(taker);
+        for (const std::string& side : split_words(budget.sides)) check_side(side);
+        for (const auto& [name, search] : budget.searches) split_words(search.set);
+    } catch (const std::invalid_argument& error) {
+        throw config::ConfigError(fmt::format("{}: {}", file, error.what()));
+    }
+    return budget;
+}
+
+std::vector<TableSpec> tables_of(const std::string& part, const Budget& budget) {
+    if (part == "table1") return table1(budget);
+    if (part == "transfer") return transfer(budget);
+    if (part == "possession") return {possession(budget)};
+    return {drill_table(part, budget)};
+}
+
+const std::vector<PaperRow>& paper_table1() {
+    static const std::vector<PaperRow> rows{
+        {"", "Paper: learned", 4.55, 0.129, 43.238, 1.034},
+        {"algorithm2", "Paper: hand-coded", 3.1, 0.062, 31.764, 0.482}};
+    return rows;
+}
+
+}  // namespace k3d::optimizer::spec

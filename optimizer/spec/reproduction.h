@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What `k3d-optimizer reproduce` makes: for each part of the paper the searches that learn, and the
+// tables of test episodes that compare what they found with the baselines. How long all that takes is
+// a budget, a TOML file.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "common/config/fields.h"
+#include "optimizer/spec/task_spec.h"
+
+namespace k3d::optimizer::spec {
+
+inline const std::vector<std::string> kParts{"fig2", "fig3", "possession", "table1", "transfer"};
+
+/// An experiment of this name, run again with other seeds.
+struct Search {
+    std::string name;   ///< file NAME.toml among the experiments
+    std::string part;
+    std::string label;  ///< of its row in the tables
+};
+
+/// All of them, in the order in which they are run.
+const std::vector<Search>& searches();
+
+struct SearchBudget {
+    int runs = 1;
+    std::string set;
+    void describe(config::Fields& f) {
+        f.integer("runs", runs, {0, 100}, "", "independent runs, with seeds 1, 2, ...; 0: left out");
+        f.text("set", set, {}, "words path=value, each stronger than the experiment's file");
+    }
+};
+
+/// How much is spent on what. Budgets differ in nothing else.
+struct Budget {
+    std::string description;
+    int keepaway_episodes = 100;
+    int possession_episodes = 60;
+    int transfer_episodes = 40;
+    int kick_episodes = 12;
+    int rolls = 100;
+    std::string takers = "greedy greedy_random";
+    std::string sides = "8 9 11 12 13 14";
+    std::string settings;
+    bool slow_takers = true;
+    std::map<std::string, SearchBudget> searches;
+
+    Budget();
+    void describe(config::Fields& f);
+};
+
+/// Throws config::ConfigError naming file and line.
+Budget load_budget(const std::string& file);
+
+/// Who plays a row: an agent's setting, or what a search has found.
+struct RowSpec {
+    std::string key;       ///< of its folder
+    std::string label;
+    std::string settings;  ///< words path=value for the tuned side
+    std::string search;    ///< name of the search whose champion plays; empty: `settings` alone
+    int run = 1;
+    bool takes_best = false;  ///< the best of the searches' champions instead, by validation
+};
+
+/// Test episodes on the same seeds for every row.
+struct TableSpec {
+    std::string name;       ///< of its folder
+    std::string part;
+    std::string title;
+    TaskSpec task;          ///< the exact stepper, since the server's default is it
+    int episodes = 0;
+    std::string reference;  ///< key of the row that the others are compared with
+    std::vector<RowSpec> rows;
+};
+
+/// The tables of a part under a budget.
+std::vector<TableSpec> tables_of(const std::string& part, const Budget& budget);
+
+/// What the paper printed, to stand beside our rows.
+struct PaperRow {
+    std::string key;  ///< of our row that it is to be compared with
+    std::string label;
+    double attempts = 0.0, attempts_se = 0.0;
+    double hold_time_s = 0.0, hold_time_se = 0.0;
+};
+/// Table 1 of "Learning complex behaviours and Keepaway in 3D Robocup Environment", 100 episodes each;
+/// what stands behind its +- is read as a standard error.
+const std::vector<PaperRow>& paper_table1();
+
+}  // namespace k3d::optimizer::spec

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// `reproduce` from end to end with real programs, on episodes of a second: it learns, tests, goes on after
+// an interruption, repeats nothing, and ends with a report.
+#include <gmock/gmock.h>
+
+#include "integration/run_rig.h"
+
+namespace k3d::testing {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+class Reproduce : public RunRig {
+  protected:
+    Reproduce() {
+        std::string budget =
+            "description = \"a second each\"\nkeepaway_episodes = 2\ntakers = \"greedy\"\n"
+            "slow_takers = false\nsettings = \"server:keepaway.limit=1\"\n";
+        for (const char* left_out :
+             {"keepaway_neat", "keepaway_neat_noise", "keepaway_linear_hold", "keepaway_algorithm2",
+              "keepaway_getopen", "possession_neat", "possession_linear", "kick",
+              "ball_prediction"}) {
+            budget += std::string("[") + left_out + "]\nruns = 0\n";
+        }
+        budget +=
+            "[keepaway_linear]\nset = \"'task.settings=server:physics.stepper=fast "
+            "server:keepaway.limit=1' algorithm.max_generations=1 algorithm.sampling.episodes=1 "
+            "algorithm.sampling.halving_episodes=0 algorithm.sampling.validation_episodes=1 "
+            "algorithm.sampling.finalists=1 algorithm.cmaes.population=4\"\n";
+        write("tiny.toml", budget);
+    }
+    std::vector<std::string> words(const std::string& part) const {
+        return {"reproduce", part,           "--budget", path("tiny.toml"),
+                "--out",     path("out"),    "--jobs",   "2",
+                "--experiments", K3D_SOURCE_DIR "/optimizer/experiments"};
+    }
+};
+
+TEST_F(Reproduce, Table1FromNothingInTwoGoes) {
+    process::Child first = start(words("table1"), "first.log");
+    // Stopped as soon as there is a finished row of the table.
+    const auto begun = [&] {
+        return std::filesystem::exists(path("out/test/table1-greedy/algorithm2/ledger.sqlite"));
+    };
+    for (int i = 0; i < 6000 && !begun() && !first.poll(); ++i) ::usleep(10000);
+    ASSERT_TRUE(begun()) << content("first.log");
+    ::kill(first.pid(), SIGTERM);
+    const auto exit = first.wait(kRunPatience);
+    ASSERT_TRUE(exit);
+    EXPECT_EQ(exit->code, 130) << content("first.log");
+    EXPECT_THAT(content("first.log"), HasSubstr("the same command goes on"));
+    const std::string before = shown("out/test/table1-greedy/keepaway_linear-1", "--csv");
+
+    ASSERT_EQ(run(words("table1"), "second.log"), 0) << content("second.log");
+    const std::string said = content("second.log");
+    EXPECT_THAT(said, Not(HasSubstr("generation 0:"))) << "the search is not repeated";
+    EXPECT_EQ(shown("out/test/table1-greedy/keepaway_linear-1", "--csv"), before);
+    EXPECT_THAT(said, HasSubstr("Paper: hand-coded"));
+    EXPECT_THAT(said, HasSubstr("Learned: linear by CMA-ES"));
+    EXPECT_THAT(content("out/report.html"), HasSubstr("<h1>The paper's results, reproduced</h1>"));
+    EXPECT_THAT(content("out/tables.csv"), HasSubstr("table1-greedy,still,\"Stand still\",hold_time_s,2,"));
+    EXPECT_THAT(content("out/searches.csv"), HasSubstr("\"keepaway_linear\",\"1\",\"cmaes\",\"attempts\",\"1\","));
+}
+
+TEST_F(Reproduce, MistakesAreNamed) {
+    std::vector<std::string> bad = words("table1");
+    bad[3] = "huge";
+    EXPECT_EQ(run(bad, "said"), 2);
+    EXPECT_THAT(content("said"), HasSubstr("reproduce/huge.toml"));
+    EXPECT_EQ(run(words("table2"), "said"), 2);
+    EXPECT_THAT(content("said"), HasSubstr("table2"));
+}
+
+}  // namespace
+}  // namespace k3d::testing

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Tables of test episodes: pairs are made by episode, what failed is counted and in no mean, the median run
+// is marked.
+#include "optimizer/report/comparison.h"
+
+#include <gmock/gmock.h>
+
+#include "common/episode/result.h"
+
+namespace k3d::optimizer::report {
+namespace {
+
+using testing::HasSubstr;
+
+ledger::Row episode_row(int episode, double hold, int attempts) {
+    k3d::episode::Result r;
+    r.game = "keepaway";
+    r.reason = "taker_reached_ball";
+    r.hold_time_s = hold;
+    r.attempts = attempts;
+    r.players = {{"left", 1, 1, 6.0, 0.3}, {"right", 1, 0, 12.0, 0.6}};
+    r.state_hash = "00";
+    r.code_version = "x";
+    ledger::Row row;
+    row.key = {k3d::optimizer::episode::Phase::Test, 0, 0, episode};
+    row.status = "finished";
+    row.reason = r.reason;
+    row.result = k3d::episode::to_line(r);
+    return row;
+}
+
+ledger::Row failed_row(int episode) {
+    ledger::Row row;
+    row.key = {k3d::optimizer::episode::Phase::Test, 0, 0, episode};
+    row.status = "failed";
+    row.reason = "no valid result in 4 tries";
+    return row;
+}
+
+spec::RowSpec spec_of(const std::string& key, const std::string& search, int run) {
+    return {.key = key, .label = "Row " + key, .settings = "", .search = search, .run = run};
+}
+
+Comparison three_rows() {
+    Comparison c;
+    c.table.name = "table1-greedy";
+    c.table.title = "Table 1";
+    c.table.reference = "algorithm2";
+    c.rows = {{spec_of("a-1", "a", 1), "", {episode_row(0, 20.0, 4), episode_row(1, 30.0, 6)}},
+              {spec_of("a-2", "a", 2), "", {episode_row(0, 40.0, 8), failed_row(1)}},
+              {spec_of("algorithm2", "", 1), "", {episode_row(0, 10.0, 2), episode_row(1, 25.0, 3)}}};
+    c.paper = spec::paper_table1();
+    return c;
+}
+
+TEST(Comparison, ByEpisodeAgainstTheReference) {
+    const auto figures = compare(three_rows());
+    const ComparedFigure& attempts = figures.at(0);
+    EXPECT_EQ(attempts.name, "attempts");
+    EXPECT_DOUBLE_EQ(*attempts.lines[0].s.mean, 5.0);
+    ASSERT_TRUE(attempts.lines[0].against);
+    EXPECT_DOUBLE_EQ(attempts.lines[0].against->difference, 2.5);
+    EXPECT_DOUBLE_EQ(*attempts.lines[0].against->ratio, 2.0);
+    EXPECT_FALSE(attempts.lines[1].against) << "one pair is left";
+    EXPECT_FALSE(attempts.lines[2].against) << "the reference itself";
+    EXPECT_EQ(attempts.lines[0].label, "Row a-1 (median run)");
+    EXPECT_EQ(attempts.lines[1].label, "Row a-2");
+}
+
+TEST(Comparison, WhatFailedIsCountedAndInNoMean) {
+    const Comparison c = three_rows();
+    const Circumstances s = circumstances(c.rows[1]);
+    EXPECT_EQ(s.episodes, 2u);
+    EXPECT_EQ(s.failed, 1);
+    EXPECT_DOUBLE_EQ(*s.taker_speed, 0.6);
+    EXPECT_DOUBLE_EQ(*s.keeper_speed, 0.3);
+    EXPECT_DOUBLE_EQ(*s.falls_per_minute, 1.0 / (2.0 * 40.0 / 60.0));
+    EXPECT_EQ(s.endings, "no valid result in 4 tries 1, taker_reached_ball 1");
+    EXPECT_EQ(compare(c).at(1).lines[1].s.n, 1u);
+}
+
+TEST(Comparison, ThePaperStandsBeside) {
+    const std::string text = comparison_text(three_rows());
+    EXPECT_THAT(text, HasSubstr("Paper: learned"));
+    EXPECT_THAT(text, HasSubstr("4.55 (se 0.129, n 100)"));
+    EXPECT_THAT(text, HasSubstr("31.764 (se 0.482, n 100)"));
+    EXPECT_THAT(text, HasSubstr("takers m/s 0.60"));
+    const std::string html = comparison_html(three_rows());
+    EXPECT_THAT(html, HasSubstr("<td>Row a-1 (median run)</td><td>2</td><td>5.00</td>"));
+    const std::string csv = comparison_csv(three_rows());
+    EXPECT_THAT(csv, HasSubstr("table1-greedy,a-1,\"Row a-1 (median run)\",attempts,2,5,"));
+    const auto columns = [](const std::string& line) {
+        return std::count(line.begin(), line.end(), ',');
+    };
+    const std::string first = csv.substr(0, csv.find('\n'));
+    const std::string last = csv.substr(csv.rfind('\n', csv.size() - 2) + 1);
+    EXPECT_EQ(columns(first), columns(comparison_csv_head()));
+    EXPECT_EQ(columns(last), columns(comparison_csv_head())) << "the reference, which is without pairs";
+}
+
+}  // namespace
+}  // namespace k3d::optimizer::report

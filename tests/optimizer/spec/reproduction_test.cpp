@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What is reproduced: the budgets that are there load, every search has its experiment, every table a
+// reference among its rows.
+#include "optimizer/spec/reproduction.h"
+
+#include <gmock/gmock.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <set>
+
+#include "common/config/config.h"
+
+namespace k3d::optimizer::spec {
+namespace {
+
+const std::string kFolder = K3D_SOURCE_DIR "/optimizer/experiments";
+
+TEST(Reproduction, EverySearchHasItsExperimentAndItsPart) {
+    for (const Search& search : searches()) {
+        EXPECT_TRUE(std::filesystem::exists(kFolder + "/" + search.name + ".toml")) << search.name;
+        EXPECT_NE(std::find(kParts.begin(), kParts.end(), search.part), kParts.end()) << search.name;
+    }
+}
+
+class Budgets : public testing::TestWithParam<std::string> {};
+
+TEST_P(Budgets, GivesWholeTables) {
+    const Budget budget = load_budget(kFolder + "/reproduce/" + GetParam() + ".toml");
+    std::set<std::string> names;
+    for (const std::string& part : kParts) {
+        for (const TableSpec& table : tables_of(part, budget)) {
+            EXPECT_TRUE(names.insert(table.name).second) << table.name;
+            EXPECT_EQ(table.part, part);
+            EXPECT_GE(table.episodes, 2);
+            std::set<std::string> keys;
+            for (const RowSpec& row : table.rows) EXPECT_TRUE(keys.insert(row.key).second) << row.key;
+            EXPECT_TRUE(keys.contains(table.reference)) << table.name;
+            EXPECT_EQ(table.task.settings.find("fast"), std::string::npos)
+                << "tests are judged on the exact stepper";
+        }
+    }
+    EXPECT_TRUE(names.contains("table1-greedy"));
+    EXPECT_TRUE(names.contains("table1-greedy_random"));
+    EXPECT_TRUE(names.contains("transfer-4v3"));
+}
+
+INSTANTIATE_TEST_SUITE_P(Reproduction, Budgets, testing::Values("small", "paper", "large"));
+
+TEST(Reproduction, RowsFollowTheBudget) {
+    Budget budget;
+    for (auto& [name, search] : budget.searches) search.runs = 0;
+    budget.searches["keepaway_neat"].runs = 3;
+    budget.takers = "greedy";
+    budget.slow_takers = false;
+    const auto tables = tables_of("table1", budget);
+    ASSERT_EQ(tables.size(), 1u);
+    ASSERT_EQ(tables[0].rows.size(), 3u + 4u);
+    EXPECT_EQ(tables[0].rows[2].key, "keepaway_neat-3");
+    EXPECT_EQ(tables[0].rows[2].run, 3);
+    EXPECT_EQ(tables[0].task.taker, "greedy");
+}
+
+TEST(Reproduction, MistakesAreNamed) {
+    const std::string file = testing::TempDir() + "/budget-" + std::to_string(getpid()) + ".toml";
+    const auto fault = [&](const std::string& text) -> std::string {
+        std::ofstream(file) << text;
+        try {
+            load_budget(file);
+        } catch (const config::ConfigError& error) {
+            return error.what();
+        }
+        return "none";
+    };
+    EXPECT_THAT(fault("[keepaway_neet]\nruns = 1\n"), testing::HasSubstr("keepaway_neet"));
+    EXPECT_THAT(fault("settings = \"somebody:x=1\"\n"), testing::HasSubstr("somebody:x=1"));
+    EXPECT_THAT(fault("takers = \"greedy lazy\"\n"), testing::HasSubstr("lazy"));
+    EXPECT_THAT(fault("sides = \"ten\"\n"), testing::HasSubstr("ten"));
+    EXPECT_EQ(fault("sides = \"10.5\"\n"), "none");
+    std::filesystem::remove(file);
+}
+
+}  // namespace
+}  // namespace k3d::optimizer::spec

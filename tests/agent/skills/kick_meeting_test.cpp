@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Tests of kicking a rolling ball: where, when, and for whom it is not possible.
+// Tests of meeting a rolling ball for a kick, with a ball that rolls as the field says and a robot
+// that stands or cannot be there in time.
 #include "agent/skills/kick_meeting.h"
 
 #include <gtest/gtest.h>
@@ -16,67 +17,90 @@ const SkillConfig kConfig;
 const KickGeometry kKick = decision::test::simple_kick();
 const Vec2 kTarget(5.0, 0.0);
 
-/// Rolls along y to the origin.
-world::Ball rolling(double to_go) {
+/// A ball on its way to the origin along +y that still has `way` metres to go.
+world::Ball rolling(double way) {
     world::Ball ball;
-    ball.known = ball.moving = to_go > 0.0;
-    ball.position = {0.0, to_go};
-    ball.velocity = {0.0, -to_go * field::kRollDecay};
+    ball.known = true;
+    ball.position = {0.0, -way};
+    ball.velocity = {0.0, field::kRollDecay * way};
+    ball.moving = true;
     return ball;
 }
 
-/// Stands as a kick of a ball at `point` towards the target wants.
-Pose2 behind(const Vec2& point) {
-    return kKick.stand_pose({point, 0.0}, point, yaw_of(kTarget - point));
+/// Where it is `time` later.
+Vec2 later(const world::Ball& ball, double time) {
+    return ball.finish + std::exp(-field::kRollDecay * time) * (ball.position - ball.finish);
 }
 
-TEST(KickMeeting, SomewhatBeforeItComesToRest) {
-    KickMeeting meeting;
+Pose2 stance_for(const Vec2& ball) {
+    return kKick.stand_pose({}, ball, yaw_of(kTarget - ball));
+}
+
+TEST(KickMeeting, ABallAtRestIsKickedWhereItLies) {
+    world::Ball ball;
+    ball.position = ball.finish = {1.0, 2.0};
+    const Meeting m = KickMeeting().plan({}, ball, kTarget, true, true, kKick, kConfig);
+    EXPECT_TRUE(m.arrived);
+    EXPECT_FALSE(m.rolling);
+    EXPECT_EQ(m.point, ball.position);
+    EXPECT_EQ(m.ball_at_hit, ball.position);
+}
+
+TEST(KickMeeting, WhoMayNotKickPreparesForTheStoppingPoint) {
+    const world::Ball ball = rolling(1.0);
     const Meeting m =
-        meeting.plan({{-0.6, 0.1}, 0.0}, rolling(4.0), kTarget, true, false, kKick, kConfig);
-    EXPECT_NEAR(m.point.x(), 0.0, 1e-9);
-    EXPECT_NEAR(m.point.y(), kConfig.meet_before_finish, 1e-9);
-    EXPECT_TRUE(m.rolling);
-    EXPECT_FALSE(m.arrived);
+        KickMeeting().plan(stance_for({0.0, -0.25}), ball, kTarget, false, true, kKick, kConfig);
+    EXPECT_EQ(m.point, ball.finish);
+    EXPECT_FALSE(m.rolling);
 }
 
-TEST(KickMeeting, WhereItLiesForWhoMayNotKickOrComesTooLate) {
+TEST(KickMeeting, WhoStandsReadySwingsSoThatTheFootMeetsTheRollingBall) {
+    const Pose2 self = stance_for({0.0, -kConfig.meet_before_finish});
     KickMeeting meeting;
-    const Pose2 near{{-0.6, 0.1}, 0.0};
-    EXPECT_EQ(meeting.plan(near, rolling(4.0), kTarget, false, false, kKick, kConfig).point,
-              Vec2(0.0, 0.0));
-    const Pose2 far{{-3.0, 0.0}, 0.0};
-    const Meeting late = meeting.plan(far, rolling(0.6), kTarget, true, false, kKick, kConfig);
-    EXPECT_NEAR(late.point.norm(), 0.0, 0.021);
-    meeting.reset();
-    const Meeting lies = meeting.plan(near, rolling(0.0), kTarget, true, false, kKick, kConfig);
-    EXPECT_EQ(lies.point, Vec2(0.0, 0.0));
-    EXPECT_TRUE(lies.arrived);
-    EXPECT_FALSE(lies.rolling);
-}
-
-TEST(KickMeeting, TheSwingBeginsSoThatItHits) {
-    KickMeeting meeting;
-    const Pose2 self = behind({0.0, kConfig.meet_before_finish});
-    double time = 0.0;
-    for (; time < 5.0; time += 0.02) {
-        const world::Ball ball = rolling(3.0 * std::exp(-field::kRollDecay * time));
+    world::Ball ball = rolling(1.5);
+    for (double time = 0.0; time < 5.0; time += 0.02) {
         const Meeting m = meeting.plan(self, ball, kTarget, true, true, kKick, kConfig);
+        EXPECT_TRUE(m.rolling);
         if (m.arrived) {
-            EXPECT_NEAR((m.ball_at_hit - m.point).norm(), 0.0, 0.02);
-            break;
+            const Vec2 hit = later(ball, kConfig.kick_lead);
+            EXPECT_LT((hit - m.point).norm(), 0.03) << "the ball is not where it is hit";
+            EXPECT_LT((m.ball_at_hit - hit).norm(), 1e-3);
+            EXPECT_GT(ball.position.norm(), 0.2) << "long before it lies";
+            return;
         }
+        ball.position = later(ball, 0.02);
+        ball.velocity = field::kRollDecay * (ball.finish - ball.position);
     }
-    const double at_hit = 3.0 * std::exp(-field::kRollDecay * (time + kConfig.kick_lead));
-    EXPECT_NEAR(at_hit, kConfig.meet_before_finish, 0.02);
+    FAIL() << "it never swings";
 }
 
-TEST(KickMeeting, WhoStandsWellLetsTheBallCome) {
-    KickMeeting meeting;
+TEST(KickMeeting, WhoStandsALittleOffLetsTheBallCome) {
     // A centimetre off along the ball's way: the ball is hit there, and nobody steps.
-    const Pose2 self = behind({0.0, kConfig.meet_before_finish - 0.01});
-    const Meeting m = meeting.plan(self, rolling(2.0), kTarget, true, true, kKick, kConfig);
-    EXPECT_NEAR(m.point.y(), kConfig.meet_before_finish - 0.01, 2e-3);
+    const double before = kConfig.meet_before_finish - 0.01;
+    const Meeting m = KickMeeting().plan(stance_for({0.0, -before}), rolling(2.0), kTarget, true,
+                                         true, kKick, kConfig);
+    EXPECT_NEAR(m.point.y(), -before, 2e-3);
+}
+
+TEST(KickMeeting, WhoComesTooLateGoesToTheStoppingPoint) {
+    const Meeting far =
+        KickMeeting().plan({{-3.0, 0.0}, 0.0}, rolling(0.5), kTarget, true, false, kKick, kConfig);
+    EXPECT_LT((far.point - Vec2::Zero()).norm(), 0.021);
+    const Meeting near = KickMeeting().plan({{-0.3, -0.25}, 0.0}, rolling(2.5), kTarget, true,
+                                            false, kKick, kConfig);
+    EXPECT_NEAR(near.point.y(), -kConfig.meet_before_finish, 1e-9);
+    EXPECT_FALSE(near.arrived);
+}
+
+TEST(KickMeeting, AnotherRollIsMetAnew) {
+    KickMeeting meeting;
+    const Pose2 self{{-3.0, 0.0}, 0.0};
+    meeting.plan(self, rolling(0.5), kTarget, true, false, kKick, kConfig);
+    world::Ball other = rolling(3.0);
+    other.position += Vec2(-3.0, 0.0);
+    other.finish += Vec2(-3.0, 0.0);
+    const Meeting m = meeting.plan(self, other, kTarget, true, false, kKick, kConfig);
+    EXPECT_NEAR((m.point - other.finish).norm(), kConfig.meet_before_finish, 1e-9);
 }
 
 }  // namespace

@@ -40,7 +40,7 @@ motion::BodyRequest position_for_kick(const KickSituation& s, const KickGeometry
                                       std::span<const Obstacle> robots, const SkillConfig& c) {
     const Vec2 shot = s.target - s.ball;
     const double yaw = yaw_of(shot);
-    const Pose2 stance = kick.stand_pose(s.self, s.ball, yaw);
+    const Pose2 stance = kick.stand_pose(s.strike, s.ball, yaw);
     const StanceError error = stance_error(s.self, stance, s.pressure, c);
 
     const motion::Kick request{s.self.to_local(s.ball_now), wrap_angle(yaw - s.self.yaw), shot.norm()};
@@ -60,12 +60,12 @@ motion::BodyRequest position_for_kick(const KickSituation& s, const KickGeometry
     if (!behind && way_touches(s.self.position, stance.position, s.ball)) {
         const double arc = yaw_of(from_ball) + std::clamp(around, -kArcStep, kArcStep);
         const Vec2 next = s.ball + direction(arc) * c.circle_radius;
-        return walk_to(s.self, {next, yaw}, robots, c);
+        return walk_to(s.self, {next, stance.yaw}, robots, c);
     }
     // Turn before stepping up: a foot that swings around beside the ball pushes it away.
     if (std::abs(error.yaw) > radians(30.0) && from_ball.norm() < c.circle_radius + 0.1) {
         const Vec2 back = s.ball + (stance.position - s.ball).normalized() * c.circle_radius;
-        return walk_to(s.self, {back, yaw}, robots, c);
+        return walk_to(s.self, {back, stance.yaw}, robots, c);
     }
     motion::Walk walk = walk_to(s.self, stance, robots, c);
     // The last centimetres at a speed that steps can make, or they take for ever.

@@ -194,8 +194,8 @@ void Keeper::choose_target(const world::Beliefs& b, Account& account) {
         const bool panic = near < c.panic_distance &&
                            (b.self.pose.position - b.ball.position).norm() < c.panic_distance;
         const auto room = [&](const Vec2& p) {
-            const double turn = std::abs(wrap_angle(yaw_of(p - situation.ball) - b.self.pose.yaw));
-            if (panic && turn > c.panic_angle) return c.panic_angle - turn;
+            const double turn = panic ? turn_for(p, b.self.pose, situation.ball) : 0.0;
+            if (turn > c.panic_angle) return c.panic_angle - turn;
             return room_for(p, situation.ball);
         };
         const Target best = best_target(grid_, situation, policy_, settings_.evaluation,
@@ -209,13 +209,19 @@ void Keeper::choose_target(const world::Beliefs& b, Account& account) {
     account.k2 = k2_;
 }
 
+double Keeper::turn_for(const Vec2& target, const Pose2& self, const Vec2& ball) const {
+    const skills::Stance stance =
+        skills::soonest_stance(self, ball, target, -1, kick_, settings_.skills);
+    return std::abs(wrap_angle(stance.pose.yaw - self.yaw));
+}
+
 double Keeper::room_for(const Vec2& target, const Vec2& ball) const {
     const KeeperConfig& c = settings_.keeper;
     const double half = settings_.keepaway.side / 2.0;
     const Vec2 shot = target - ball;
     const double yaw = yaw_of(shot);
     const double reach = kick_.reach(shot.norm());
-    const Vec2 stance = kick_.stand_pose({ball, yaw}, ball, yaw).position;
+    const Vec2 stance = kick_.stand_pose(0, ball, yaw).position;
     const Vec2 landing = ball + direction(yaw) * reach;
     return std::min({half - c.stance_margin - stance.cwiseAbs().maxCoeff(),
                      half - c.landing_margin - landing.cwiseAbs().maxCoeff(),

@@ -52,6 +52,8 @@ class Keeper {
     void choose_target(const world::Beliefs& beliefs, Account& account);
     /// Room of policy.h: for the stance, for where the ball lands, and between that and the target.
     double room_for(const Vec2& target, const Vec2& ball) const;
+    /// How far K1 must turn for a kick at the target, rad.
+    double turn_for(const Vec2& target, const Pose2& self, const Vec2& ball) const;
     /// Where K3 goes: home, or where the learned function sends it.
     Vec2 place_of_k3(const world::Beliefs& beliefs, const Assignment& part);
     motion::BodyRequest walk_and_watch(const world::Beliefs& beliefs, const Vec2& place);

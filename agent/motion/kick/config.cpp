@@ -7,13 +7,69 @@
 
 namespace k3d::agent::kick {
 
+namespace {
+
+AngledSwing tuned_slant() {
+    AngledSwing a;
+    a.place.ball_forward = 0.164;
+    a.place.ball_outward = 0.093;
+    a.place.reach_forward = 0.025;
+    a.place.reach_sideways = 0.025;
+    a.place.reach_direction_deg = 12;
+    a.place.aim_outward_deg = 47.5;
+    a.swing.reach_m = 4.85;
+    a.swing.duration_s = {0.28, 0.02, 0.02, 0.02, 0.06};
+    a.swing.kicking.hip_yaw_pitch_deg = {-0.1, -45.2, 0, 0, -51.6};
+    a.swing.kicking.hip_roll_deg = {-1, -44, 9.2, 16.2, -39.5};
+    a.swing.kicking.hip_pitch_deg = {65.4, -18.3, 79.6, 99, 61.4};
+    a.swing.kicking.knee_deg = {-76.4, 0, -19.8, -2.1, -27.8};
+    a.swing.kicking.ankle_pitch_deg = {3.5, 48.4, -22.7, -6.2, 51.2};
+    a.swing.kicking.ankle_roll_deg = {-24, 14.5, -9.5, -4.7, -1.8};
+    a.swing.support.hip_yaw_pitch_deg = {-20.9, -12.2, -32.3, -4.5, 0};
+    a.swing.support.hip_roll_deg = {-24, 20.3, 5.4, 9.2, 23.1};
+    a.swing.support.hip_pitch_deg = {-24, 33.3, 0.7, -24, 31.7};
+    a.swing.support.knee_deg = {-33, -55.2, -22.2, -49.1, -71.8};
+    a.swing.support.ankle_pitch_deg = {63.7, -43.5, 50.8, -3.2, 74};
+    a.swing.support.ankle_roll_deg = {12, 18.2, 5.7, 7.9, 15.8};
+    a.swing.stand_s = 0.1;
+    return a;
+}
+
+AngledSwing tuned_square() {
+    AngledSwing a;
+    a.place.ball_forward = 0.164;
+    a.place.ball_outward = 0.137;
+    a.place.reach_forward = 0.025;
+    a.place.reach_sideways = 0.025;
+    a.place.reach_direction_deg = 12;
+    a.place.aim_outward_deg = 79;
+    a.swing.reach_m = 4.85;
+    a.swing.duration_s = {0.2, 0.02, 0.02, 0.02, 0.02};
+    a.swing.kicking.hip_yaw_pitch_deg = {-29.2, -67.1, 0, -36, -48};
+    a.swing.kicking.hip_roll_deg = {24, -23.6, 24, 21.4, -31};
+    a.swing.kicking.hip_pitch_deg = {46, -24, 66, 83.4, 78};
+    a.swing.kicking.knee_deg = {-82.8, -66.8, -3.1, -38.2, -54.2};
+    a.swing.kicking.ankle_pitch_deg = {18.2, 56.7, 8.4, -6.6, 74};
+    a.swing.kicking.ankle_roll_deg = {-15.1, 8.9, -16.2, -24, 21.8};
+    a.swing.support.hip_yaw_pitch_deg = {-23.5, 0, -54.8, 0, -6.3};
+    a.swing.support.hip_roll_deg = {-24, 44, 26.8, 2, 5.6};
+    a.swing.support.hip_pitch_deg = {-20.2, 80.9, -1.2, -2.8, 12.1};
+    a.swing.support.knee_deg = {-72.5, -30.3, -35.3, -40, -68.5};
+    a.swing.support.ankle_pitch_deg = {74, -16.9, 3.6, 29.8, 74};
+    a.swing.support.ankle_roll_deg = {-40.2, 17.8, 8, 19.5, -8.2};
+    a.swing.stand_s = 0.1;
+    return a;
+}
+
+}  // namespace
+
 Config::Config() {
-    ball_forward = 0.167;
-    ball_outward = 0.033;
-    aim_outward_deg = 0;
-    reach_forward = 0.025;
-    reach_sideways = 0.045;
-    reach_direction_deg = 12;
+    straight.ball_forward = 0.167;
+    straight.ball_outward = 0.033;
+    straight.aim_outward_deg = 0;
+    straight.reach_forward = 0.025;
+    straight.reach_sideways = 0.045;
+    straight.reach_direction_deg = 12;
 
     far.reach_m = 5.8;
     far.duration_s = {0.24, 0.02, 0.02, 0.02, 0.18};
@@ -46,6 +102,9 @@ Config::Config() {
     near.support.ankle_pitch_deg = {24.5, 53.5, 45.9, 4.4, 46.6};
     near.support.ankle_roll_deg = {14, 18.3, 20.7, 6.2, -9};
     near.stand_s = 0.32;
+
+    slant = tuned_slant();
+    square = tuned_square();
 }
 
 double Config::far_share(double distance) const {

@@ -25,7 +25,7 @@ struct Config {
         f.number("stance_rate", stance_rate, {0.2, 6.0}, "rad/s",
                  "joint speed with which the stance is taken up from any other pose");
         f.number("fall_s", fall_s, {0.0, 3.0}, "s", "from there until getting up begins");
-        f.number("kick_settle_s", kick_settle_s, {0.0, 2.0}, "s", "quiet standing before a kick");
+        f.number("kick_settle_s", kick_settle_s, {0.0, 2.0}, "s", "quiet standing before a kick straight ahead");
         f.number("odometry_forward", odometry_forward, {0.5, 2.0}, "",
                  "true way over the way told by the legs, forward and backward");
         f.number("odometry_sideways", odometry_sideways, {0.5, 2.0}, "", "the same sideways");

@@ -11,6 +11,7 @@ namespace {
 constexpr double kTouchRadius = 0.24;              // feet reach this far from the torso's centre
 constexpr double kArcStep = radians(50.0);         // way around the ball taken at once
 constexpr double kCommitted = 1.7;                 // more error is let pass once a kick was asked
+constexpr double kStopping = 3.0;                  // and while it stops, which sways by centimetres
 constexpr double kAtRest = 0.06;                   // ball counts as come to rest this close
 constexpr double kFreeArc = radians(35.0);         // this far from straight behind needs no detour
 
@@ -46,8 +47,10 @@ motion::BodyRequest position_for_kick(const KickSituation& s, const KickGeometry
     const motion::Kick request{s.self.to_local(s.ball_now), wrap_angle(yaw - s.self.yaw), shot.norm()};
     const bool there = (s.ball_now - s.ball).norm() < kAtRest;
     const bool must_stay = s.committed || (s.rolling && s.standing);
-    const bool placed = there && s.arrived && error.worst <= (must_stay ? kCommitted : 1.0) &&
-                        kick.possible(request);
+    const bool stopping = s.committed && !s.standing;
+    const double allowed = stopping ? kStopping : must_stay ? kCommitted : 1.0;
+    const bool placed = there && s.arrived && error.worst <= allowed &&
+                        (stopping || kick.possible(request));
     if (placed && s.may_kick) return request;
     // At leisure a looser stance is left alone: shuffling about next to the ball only moves it. And
     // who waits for the ball must stand quietly when it comes.

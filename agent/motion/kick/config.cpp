@@ -11,13 +11,14 @@ namespace {
 
 AngledSwing tuned_slant() {
     AngledSwing a;
-    a.place.ball_forward = 0.164;
-    a.place.ball_outward = 0.093;
-    a.place.reach_forward = 0.025;
-    a.place.reach_sideways = 0.025;
-    a.place.reach_direction_deg = 12;
+    a.settle_s = 0.1;
+    a.place.ball_forward = 0.16;
+    a.place.ball_outward = 0.103;
+    a.place.reach_forward = 0.035;
+    a.place.reach_sideways = 0.035;
+    a.place.reach_direction_deg = 16;
     a.place.aim_outward_deg = 47.5;
-    a.swing.reach_m = 4.85;
+    a.swing.reach_m = 4.8;
     a.swing.duration_s = {0.28, 0.02, 0.02, 0.02, 0.06};
     a.swing.kicking.hip_yaw_pitch_deg = {-0.1, -45.2, 0, 0, -51.6};
     a.swing.kicking.hip_roll_deg = {-1, -44, 9.2, 16.2, -39.5};
@@ -37,26 +38,27 @@ AngledSwing tuned_slant() {
 
 AngledSwing tuned_square() {
     AngledSwing a;
-    a.place.ball_forward = 0.164;
-    a.place.ball_outward = 0.137;
-    a.place.reach_forward = 0.025;
-    a.place.reach_sideways = 0.025;
-    a.place.reach_direction_deg = 12;
-    a.place.aim_outward_deg = 79;
-    a.swing.reach_m = 4.85;
+    a.settle_s = 0.1;
+    a.place.ball_forward = 0.152;
+    a.place.ball_outward = 0.135;
+    a.place.reach_forward = 0.035;
+    a.place.reach_sideways = 0.04;
+    a.place.reach_direction_deg = 16;
+    a.place.aim_outward_deg = 77;
+    a.swing.reach_m = 4.6;
     a.swing.duration_s = {0.2, 0.02, 0.02, 0.02, 0.02};
-    a.swing.kicking.hip_yaw_pitch_deg = {-29.2, -67.1, 0, -36, -48};
-    a.swing.kicking.hip_roll_deg = {24, -23.6, 24, 21.4, -31};
-    a.swing.kicking.hip_pitch_deg = {46, -24, 66, 83.4, 78};
-    a.swing.kicking.knee_deg = {-82.8, -66.8, -3.1, -38.2, -54.2};
-    a.swing.kicking.ankle_pitch_deg = {18.2, 56.7, 8.4, -6.6, 74};
-    a.swing.kicking.ankle_roll_deg = {-15.1, 8.9, -16.2, -24, 21.8};
-    a.swing.support.hip_yaw_pitch_deg = {-23.5, 0, -54.8, 0, -6.3};
-    a.swing.support.hip_roll_deg = {-24, 44, 26.8, 2, 5.6};
-    a.swing.support.hip_pitch_deg = {-20.2, 80.9, -1.2, -2.8, 12.1};
-    a.swing.support.knee_deg = {-72.5, -30.3, -35.3, -40, -68.5};
-    a.swing.support.ankle_pitch_deg = {74, -16.9, 3.6, 29.8, 74};
-    a.swing.support.ankle_roll_deg = {-40.2, 17.8, 8, 19.5, -8.2};
+    a.swing.kicking.hip_yaw_pitch_deg = {-27.8, -67.9, 0, -36.1, -48.1};
+    a.swing.kicking.hip_roll_deg = {24, -23.8, 24, 21.1, -30.9};
+    a.swing.kicking.hip_pitch_deg = {45.1, -24, 66.5, 83.6, 78.5};
+    a.swing.kicking.knee_deg = {-83.6, -67.8, -3.7, -37.3, -54.1};
+    a.swing.kicking.ankle_pitch_deg = {16.8, 56.5, 8.1, -7.5, 73.6};
+    a.swing.kicking.ankle_roll_deg = {-15.4, 9.6, -16.1, -23.8, 21.7};
+    a.swing.support.hip_yaw_pitch_deg = {-24, 0, -56.1, -0.2, -6.7};
+    a.swing.support.hip_roll_deg = {-23.1, 44, 27.2, 2.4, 5.7};
+    a.swing.support.hip_pitch_deg = {-19, 80.4, -0.3, -1.8, 11.8};
+    a.swing.support.knee_deg = {-71.9, -28.8, -35, -40.2, -68.8};
+    a.swing.support.ankle_pitch_deg = {74, -16.4, 3.8, 29.7, 73.3};
+    a.swing.support.ankle_roll_deg = {-39.8, 17.7, 7.7, 19.8, -8};
     a.swing.stand_s = 0.1;
     return a;
 }

@@ -108,8 +108,9 @@ bool BodyMotion::kick(const BodySense& sense, const Request& request) {
         // A kick starts from quiet standing, to which stand_or_walk() brings the robot first. Begun
         // while the body still rocks from the last step, a quarter of the kicks end in a fall.
         if (wish == nullptr || !in_stance_ || state_.activity != Activity::Standing) return false;
-        const auto strike = kick::possible_strike(config_.kick, *wish);
-        if (!strike || time_ - stood_since_ < settle_time(*strike)) return false;
+        const double settle = wish->hurried ? config_.kick_hurry_s : config_.kick_settle_s;
+        if (time_ - stood_since_ < settle) return false;
+        if (!kick::kick_possible(config_.kick, *wish)) return false;
         kick_.start(*wish, stance());
         state_.activity = Activity::Kicking;
         state_.kick_started = true;
@@ -119,15 +120,6 @@ bool BodyMotion::kick(const BodySense& sense, const Request& request) {
     state_.activity = Activity::Standing;
     in_stance_ = false;
     return true;
-}
-
-double BodyMotion::settle_time(const kick::Strike& strike) const {
-    switch (strike.way) {
-        case kick::Way::Straight: break;
-        case kick::Way::Slant: return config_.kick.slant.settle_s;
-        case kick::Way::Square: return config_.kick.square.settle_s;
-    }
-    return config_.kick_settle_s;
 }
 
 void BodyMotion::stand_or_walk(const BodySense& sense, const Walk& wish) {

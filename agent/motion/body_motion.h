@@ -38,7 +38,6 @@ class BodyMotion {
     void notice_fall();
     void fall_and_get_up(const BodySense& sense);
     bool kick(const BodySense& sense, const Request& request);
-    double settle_time(const kick::Strike& strike) const;  ///< s of standing before it
     void stand_or_walk(const BodySense& sense, const Walk& wish);
     void topple(const Topple& wish);
     void take_up_stance();

@@ -12,6 +12,7 @@ constexpr double kTouchRadius = 0.24;              // feet reach this far from t
 constexpr double kArcStep = radians(50.0);         // way around the ball taken at once
 constexpr double kCommitted = 1.7;                 // more error is let pass once a kick was asked
 constexpr double kStopping = 3.0;                  // and while it stops, which sways by centimetres
+constexpr double kHurry = 0.5;                     // pressure from which a fall is risked
 constexpr double kAtRest = 0.06;                   // ball counts as come to rest this close
 constexpr double kFreeArc = radians(35.0);         // this far from straight behind needs no detour
 
@@ -44,7 +45,8 @@ motion::BodyRequest position_for_kick(const KickSituation& s, const KickGeometry
     const Pose2 stance = kick.stand_pose(s.strike, s.ball, yaw);
     const StanceError error = stance_error(s.self, stance, s.pressure, c);
 
-    const motion::Kick request{s.self.to_local(s.ball_now), wrap_angle(yaw - s.self.yaw), shot.norm()};
+    const motion::Kick request{s.self.to_local(s.ball_now), wrap_angle(yaw - s.self.yaw), shot.norm(),
+                               s.pressure > kHurry};
     const bool there = (s.ball_now - s.ball).norm() < kAtRest;
     const bool must_stay = s.committed || (s.rolling && s.standing);
     const bool stopping = s.committed && !s.standing;

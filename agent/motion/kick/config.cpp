@@ -11,34 +11,32 @@ namespace {
 
 AngledSwing tuned_slant() {
     AngledSwing a;
-    a.settle_s = 0.1;
-    a.place.ball_forward = 0.16;
-    a.place.ball_outward = 0.103;
+    a.place.ball_forward = 0.156;
+    a.place.ball_outward = 0.099;
     a.place.reach_forward = 0.035;
     a.place.reach_sideways = 0.035;
     a.place.reach_direction_deg = 16;
-    a.place.aim_outward_deg = 47.5;
-    a.swing.reach_m = 4.8;
-    a.swing.duration_s = {0.28, 0.02, 0.02, 0.02, 0.06};
-    a.swing.kicking.hip_yaw_pitch_deg = {-0.1, -45.2, 0, 0, -51.6};
-    a.swing.kicking.hip_roll_deg = {-1, -44, 9.2, 16.2, -39.5};
-    a.swing.kicking.hip_pitch_deg = {65.4, -18.3, 79.6, 99, 61.4};
-    a.swing.kicking.knee_deg = {-76.4, 0, -19.8, -2.1, -27.8};
-    a.swing.kicking.ankle_pitch_deg = {3.5, 48.4, -22.7, -6.2, 51.2};
-    a.swing.kicking.ankle_roll_deg = {-24, 14.5, -9.5, -4.7, -1.8};
-    a.swing.support.hip_yaw_pitch_deg = {-20.9, -12.2, -32.3, -4.5, 0};
-    a.swing.support.hip_roll_deg = {-24, 20.3, 5.4, 9.2, 23.1};
-    a.swing.support.hip_pitch_deg = {-24, 33.3, 0.7, -24, 31.7};
-    a.swing.support.knee_deg = {-33, -55.2, -22.2, -49.1, -71.8};
-    a.swing.support.ankle_pitch_deg = {63.7, -43.5, 50.8, -3.2, 74};
-    a.swing.support.ankle_roll_deg = {12, 18.2, 5.7, 7.9, 15.8};
+    a.place.aim_outward_deg = 47;
+    a.swing.reach_m = 4.6;
+    a.swing.duration_s = {0.24, 0.02, 0.02, 0.02, 0.06};
+    a.swing.kicking.hip_yaw_pitch_deg = {-2.3, -42.7, -0.1, -9.1, -48.3};
+    a.swing.kicking.hip_roll_deg = {0.1, -43.3, 10.2, 16.1, -39};
+    a.swing.kicking.hip_pitch_deg = {65.2, -10.3, 83.7, 99, 61};
+    a.swing.kicking.knee_deg = {-74.4, 0, -14.3, -3.4, -27.9};
+    a.swing.kicking.ankle_pitch_deg = {3.7, 44.6, -29.2, -8.9, 49.1};
+    a.swing.kicking.ankle_roll_deg = {-24, 15.1, -4.8, -6, -3.9};
+    a.swing.support.hip_yaw_pitch_deg = {-26.7, -8.7, -32.8, -4.8, 0};
+    a.swing.support.hip_roll_deg = {-23.1, 20.2, 3.5, 9.1, 23.9};
+    a.swing.support.hip_pitch_deg = {-24, 36.6, -0.1, -22.4, 31.1};
+    a.swing.support.knee_deg = {-27.4, -56.5, -25, -36.4, -63.3};
+    a.swing.support.ankle_pitch_deg = {60.6, -44, 42.3, -9.8, 74};
+    a.swing.support.ankle_roll_deg = {11.5, 18.5, 7.7, 8, 15.4};
     a.swing.stand_s = 0.1;
     return a;
 }
 
 AngledSwing tuned_square() {
     AngledSwing a;
-    a.settle_s = 0.1;
     a.place.ball_forward = 0.152;
     a.place.ball_outward = 0.135;
     a.place.reach_forward = 0.035;

@@ -78,13 +78,11 @@ struct Placement {
 /// distance.
 struct AngledSwing {
     bool on = true;
-    double settle_s = 0.2;
     Placement place;
     Swing swing;
 
     void describe(config::Fields& f) {
         f.boolean("on", on, "whether the robot kicks this way");
-        f.number("settle_s", settle_s, {0.0, 2.0}, "s", "quiet standing before it");
         place.describe(f);
         swing.describe(f);
     }

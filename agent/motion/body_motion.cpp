@@ -24,7 +24,7 @@ BodyMotion::BodyMotion(const nao::Model& model, const Config& config)
       left_(model, kinematics::Side::Left),
       walk_(model, config_.walk),
       kick_(config_.kick),
-      get_up_(config_.getup),
+      get_up_(config_.getup, model.type),
       control_(model) {}
 
 const State& BodyMotion::step(const BodySense& sense, const Request& request,

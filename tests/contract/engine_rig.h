@@ -10,16 +10,16 @@
 namespace k3d::contract {
 
 /// The stance of the walk, in which motions begin and end.
-inline nao::JointArray walk_stance() {
+inline nao::JointArray walk_stance(int type = 0) {
     const agent::motion::walk::Config config;
     agent::motion::JointTargets targets;
-    agent::motion::walk::WalkEngine(nao::model(0), config).stance(targets);
+    agent::motion::walk::WalkEngine(nao::model(type), config).stance(targets);
     return targets.angle;
 }
 
 class EngineRig {
   public:
-    EngineRig() : control_(rig.model()) { targets.angle = rig.sense().joints; }
+    explicit EngineRig(int type = 0) : rig(type), control_(rig.model()) { targets.angle = rig.sense().joints; }
 
     /// One cycle towards targets.
     void advance() {

@@ -44,15 +44,13 @@ BodyRig::BodyRig(int type, const Pose2& start, server::physics::Stepper stepper)
 
 void BodyRig::advance(const nao::JointArray& rates) {
     for (const nao::JointDef& joint : model().joints) {
-        const bool frozen = self_collision_.frozen(joint.id);
-        robot_.drive(joint.id, frozen ? 0.0 : pending_[nao::index(joint.id)]);
+        robot_.drive(joint.id, pending_[nao::index(joint.id)]);
     }
     pending_ = rates;
     velocity_before_ = velocity_;
     velocity_ = robot_.torso_velocity();
     world_.step();
     ++steps_;
-    if (self_collision_.judge(robot_, steps_ * kCycleSeconds)) ++times_frozen_;
     feel();
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // One robot in the server's physics, driven in one process with the latency and the rounding of the
-// wire, limbs that reach through its own body frozen: for tests of motion, and for tuning it.
+// wire: for tests of motion, and for tuning it.
 //
 // Frame: field frame, metres, radians, seconds. The state after step n is sensed with two decimals
 // (degrees, m/s^2, N) and the reply to it drives step n + 2 (reference 2.1, 3).
@@ -12,7 +12,6 @@
 #include "server/body/arena.h"
 #include "server/body/ball.h"
 #include "server/body/robot.h"
-#include "server/effectors/self_collision.h"
 
 namespace k3d::contract {
 
@@ -38,7 +37,6 @@ class BodyRig {
     double height() const;  ///< of the torso centre
     double tilt() const;    ///< angle of the torso's up axis against the vertical, rad
     bool fallen() const { return tilt() > radians(60.0); }
-    int times_frozen() const { return times_frozen_; }  ///< cycles in which limbs were frozen anew
 
   private:
     void feel();
@@ -50,11 +48,9 @@ class BodyRig {
     server::body::Robot robot_;
     agent::motion::BodySense sense_;
     nao::JointArray pending_{};
-    server::effectors::SelfCollision self_collision_;
     Vec3 velocity_ = Vec3::Zero();         ///< before the last step
     Vec3 velocity_before_ = Vec3::Zero();  ///< before the step before that
     int steps_ = 0;
-    int times_frozen_ = 0;
 };
 
 }  // namespace k3d::contract

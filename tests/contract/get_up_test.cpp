@@ -77,9 +77,9 @@ TEST_P(EachType, StandsAgainAfterAStiffFallAndNoLimbFreezes) {
     for (int n = 0; n < 8; ++n) {
         EngineRig r(GetParam());
         ASSERT_TRUE(topple(r, n % 2 == 0 ? 0.0 : kPi, random, 0.03)) << n;
-        const int frozen_before = r.rig.times_frozen();
+        const int frozen_before = r.times_frozen();
         EXPECT_TRUE(gets_up(r)) << n;
-        EXPECT_EQ(r.rig.times_frozen(), frozen_before) << n;
+        EXPECT_EQ(r.times_frozen(), frozen_before) << n;
     }
 }
 

@@ -100,24 +100,24 @@ Sequences type_3() {
 
 Sequences type_4() {
     Sequences s;
-    s.back.duration_s = {0.2, 0.08, 0.22, 0.06};
-    s.back.shoulder_pitch_deg = {70.4, 119, 47.6, -22.5};
-    s.back.shoulder_spread_deg = {11.6, 37.3, 91.4, 31};
-    s.back.hip_yaw_pitch_deg = {-48.4, -76.9, -89, -0.7};
-    s.back.hip_roll_deg = {13.7, -10.3, -22.7, 32.8};
-    s.back.hip_pitch_deg = {99, 48.4, 99, -17.9};
-    s.back.knee_deg = {-0.5, -129, -107.3, -95.7};
-    s.back.ankle_deg = {63.3, -13.5, -25.3, 53.6};
-    s.back.stand_s = 0.3;
-    s.front.duration_s = {0.34, 0.06, 0.32, 0.16};
-    s.front.shoulder_pitch_deg = {62.8, 15.8, -44.3, 0.2};
-    s.front.shoulder_spread_deg = {8.3, 0, 13.1, 9.4};
-    s.front.hip_yaw_pitch_deg = {-9.3, -89, -89, -22.9};
-    s.front.hip_roll_deg = {0.5, 42, 34.7, 23.5};
-    s.front.hip_pitch_deg = {-4.5, 88.6, 99, 99};
-    s.front.knee_deg = {-48.7, -76.7, -90.5, -114.4};
-    s.front.ankle_deg = {74, 36.5, -26.9, 30.3};
-    s.front.stand_s = 0.3;
+    s.back.duration_s = {0.2, 0.08, 0.24, 0.08};
+    s.back.shoulder_pitch_deg = {100, 45.1, 72.7, -10.4};
+    s.back.shoulder_spread_deg = {27.2, 67.6, 94, 21.6};
+    s.back.hip_yaw_pitch_deg = {-40.4, -49.5, -79.3, -25.5};
+    s.back.hip_roll_deg = {13.3, 4.2, -23.1, 35.9};
+    s.back.hip_pitch_deg = {88.2, 69, 98.3, -2.9};
+    s.back.knee_deg = {0, -64.1, -83.4, -128.2};
+    s.back.ankle_deg = {62.4, -12.2, -28.2, 35.7};
+    s.back.stand_s = 0.1;
+    s.front.duration_s = {0.28, 0.18, 0.22, 0.12};
+    s.front.shoulder_pitch_deg = {65.5, 30.7, -58.7, -32.2};
+    s.front.shoulder_spread_deg = {9.5, 26.5, 9, 2.2};
+    s.front.hip_yaw_pitch_deg = {-39.6, -89, -89, -14.4};
+    s.front.hip_roll_deg = {16.2, 44, 22.8, -8.3};
+    s.front.hip_pitch_deg = {-21.8, 74.2, 98.1, 99};
+    s.front.knee_deg = {-64.8, -95.5, -115.4, -126.8};
+    s.front.ankle_deg = {50.2, 15.9, -10.3, 42.1};
+    s.front.stand_s = 0.18;
     return s;
 }
 

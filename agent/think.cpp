@@ -37,7 +37,7 @@ Mind::Mind(const Config& config, const Seat& seat, const std::string& telemetry_
       motion_(model_, config_.motion),
       world_(config.world, config.localisation, config.seed, seat.team),
       player_(player_settings(config, fmt::format("{}.{}", seat.team, seat.unum)),
-              kick_geometry(config.motion.kick)),
+              kick_geometry(motion_.kick_config())),
       telemetry_(telemetry_file, seat.team, config.belief_interval, config.telemetry_targets) {}
 
 void Mind::think(std::string_view payload, std::string& reply) {

@@ -11,6 +11,12 @@ namespace k3d::agent::motion {
 
 namespace {
 
+/// The values as this type of robot moves with them.
+Config of_type(Config config, int type) {
+    config.kick = kick_of_type(config.kick, config.kick_by_type, type);
+    return config;
+}
+
 bool is_neck(nao::JointId id) {
     return id == nao::JointId::HeadYaw || id == nao::JointId::HeadPitch;
 }
@@ -19,12 +25,12 @@ bool is_neck(nao::JointId id) {
 
 BodyMotion::BodyMotion(const nao::Model& model, const Config& config)
     : model_(model),
-      config_(config),
+      config_(of_type(config, model.type)),
       right_(model, kinematics::Side::Right),
       left_(model, kinematics::Side::Left),
       walk_(model, config_.walk),
       kick_(config_.kick),
-      get_up_(config_.getup),
+      get_up_(config_.getup, model.type),
       control_(model) {}
 
 const State& BodyMotion::step(const BodySense& sense, const Request& request,

@@ -4,6 +4,7 @@
 
 #include "agent/motion/getup/config.h"
 #include "agent/motion/kick/config.h"
+#include "agent/motion/kick_by_type.h"
 #include "agent/motion/walk/config.h"
 
 namespace k3d::agent::motion {
@@ -18,6 +19,7 @@ struct Config {
     double odometry_sideways = 1.16;
     walk::Config walk;
     kick::Config kick;
+    KickByType kick_by_type;
     getup::Config getup;
 
     void describe(config::Fields& f) {
@@ -33,6 +35,7 @@ struct Config {
         f.number("odometry_sideways", odometry_sideways, {0.5, 2.0}, "", "the same sideways");
         f.section("walk", walk);
         f.section("kick", kick);
+        f.section("kick_by_type", kick_by_type);
         f.section("getup", getup);
     }
 };

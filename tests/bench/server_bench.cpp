@@ -22,10 +22,13 @@ using namespace std::chrono_literals;
 
 class Crowd {
   public:
+    /// The match begins, and everybody is waited for, when the last of them has a seat.
     Crowd(int agents, const char* stepper)
         : server_({{std::string(K3D_BIN_DIR) + "/k3d-server", "--agent-port", "0", "--server-port",
                     "0", "--pace", "fast", "--log-level", "error", "--set",
                     "soccer.type_quotas=false", "--set",
+                    fmt::format("pace.lobby_left={}", (agents + 1) / 2), "--set",
+                    fmt::format("pace.lobby_right={}", agents / 2), "--set",
                     std::string("physics.stepper=") + stepper},
                    "/dev/null",
                    true}) {
@@ -50,16 +53,13 @@ class Crowd {
 
   private:
     void join(std::uint16_t port, int k) {
-        clients_.push_back(std::make_unique<net::Client>("127.0.0.1", port, 30s));
-        const auto all = [this](const std::string& first) {
-            for (std::size_t i = 0; i < clients_.size(); ++i) {
-                clients_[i]->send((i + 1 == clients_.size() ? first : "") + "(syn)");
-            }
-            for (auto& client : clients_) receive(*client);
-        };
-        all("(scene rsg/agent/nao/nao.rsg)");
-        all(fmt::format("(init (unum {})(teamname {}))", k / 2 + 1, k % 2 == 0 ? "Reds" : "Blues"));
-        for (int i = 0; i < 6; ++i) all("");
+        net::Client& client =
+            *clients_.emplace_back(std::make_unique<net::Client>("127.0.0.1", port, 30s));
+        client.send("(scene rsg/agent/nao/nao.rsg)(syn)");
+        receive(client);
+        client.send(fmt::format("(init (unum {})(teamname {}))(syn)", k / 2 + 1,
+                                k % 2 == 0 ? "Reds" : "Blues"));
+        receive(client);
     }
 
     void receive(net::Client& client) {

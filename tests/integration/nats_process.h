@@ -25,6 +25,7 @@ class NatsProcess {
 
     std::string url() const { return "nats://127.0.0.1:" + port_; }
 
+    pid_t pid() const { return child_->pid(); }
     void kill() { child_->kill(); }
     void start_again() { start(port_); }
 

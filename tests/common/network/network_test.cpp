@@ -4,6 +4,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
 #include <unistd.h>
 
 #include <cmath>
@@ -141,6 +142,30 @@ TEST(NetworkFile, CycleIsNamed) {
     Definition d = small();
     d.links.push_back({"out", "h", 1.0, false});
     EXPECT_THAT(error_of(to_json(d)), HasSubstr("cycle"));
+}
+
+RC_GTEST_PROP(NetworkFile, AnyDamageIsNamedOrReadAndEvaluatedToNumbers, ()) {
+    std::string text = to_json(small());
+    const auto count = *rc::gen::inRange(1, 6);
+    for (int i = 0; i < count; ++i) {
+        const auto at = *rc::gen::inRange<std::size_t>(0, text.size());
+        switch (*rc::gen::inRange(0, 3)) {
+            case 0: text[at] = static_cast<char>(*rc::gen::inRange(1, 256)); break;
+            case 1: text.erase(at, *rc::gen::inRange<std::size_t>(1, 40)); break;
+            default: text.insert(at, text.substr(*rc::gen::inRange<std::size_t>(0, text.size()), 30));
+        }
+        if (text.empty()) text = " ";
+    }
+    const std::string said = error_of(text);
+    RC_ASSERT(said == "no error" || said.rfind("net.json", 0) == 0);
+    if (said != "no error") return;
+    const Definition read = parse(text, "net.json");
+    RC_ASSERT(parse(to_json(read), "net.json") == read);
+    const Network network(read, "net.json");
+    State state = network.start();
+    for (const double value : network.evaluate(std::vector<double>(read.inputs.size(), 0.7), state)) {
+        RC_ASSERT(std::isfinite(value));
+    }
 }
 
 TEST(Network, ShapeIsChecked) {

@@ -39,6 +39,7 @@ struct KeeperConfig {
     double landing_error = 0.8;
     double pressure_far = 2.0;
     double pressure_near = 0.7;
+    double evade_distance = 0.5;
     double panic_distance = 1.0;
     double panic_angle = 0.8;
 
@@ -74,6 +75,8 @@ struct KeeperConfig {
                  "a taker this near to the ball begins to loosen the kick's tolerances");
         f.number("pressure_near", pressure_near, {0.0, 20.0}, "m",
                  "a taker this near loosens them fully");
+        f.number("evade_distance", evade_distance, {0.0, 5.0}, "m",
+                 "K3 steps aside from a taker this near");
         f.number("panic_distance", panic_distance, {0.0, 20.0}, "m",
                  "with a taker this near K1 takes only targets that it nearly faces");
         f.number("panic_angle", panic_angle, {0.0, 3.15}, "rad", "what nearly means");
@@ -147,7 +150,7 @@ struct TakerConfig {
 struct PossessionConfig {
     std::string chooser = "rules";
     std::string network;
-    double at_rest = 0.3;
+    double at_rest = 0.5;
     double position_distance = 1.5;
     double wait_distance = 0.4;
     double passing_by_deg = 60.0;

@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "agent/skills/intercept.h"
+#include "agent/skills/kick_meeting.h"
 #include "common/random/stream.h"
 
 namespace k3d::agent::decision {
@@ -48,17 +49,15 @@ BodyRequest without_foresight(const PossessionInput& in,
                 in.robots});
 }
 
-BodyRequest position(const PossessionInput& in, const skills::SkillConfig& skill,
-                     const skills::KickGeometry& kick) {
+BodyRequest position(const PossessionInput& in, skills::KickMeeting& kick_meeting,
+                     const skills::SkillConfig& skill, const skills::KickGeometry& kick) {
+    const Pose2& self = in.beliefs.self.pose;
+    const bool standing = in.body.activity == motion::Activity::Standing;
+    const skills::Meeting meeting = kick_meeting.plan(self, in.beliefs.ball, in.target,
+                                                      in.may_kick, standing, kick, skill);
     const skills::KickSituation situation{
-        in.beliefs.self.pose,
-        in.beliefs.ball.moving ? in.beliefs.ball.finish : in.beliefs.ball.position,
-        in.beliefs.ball.position,
-        in.target,
-        in.pressure,
-        in.may_kick,
-        in.body.activity == motion::Activity::Standing,
-        in.committed,
+        self,     meeting.point, meeting.ball_at_hit, in.target,       in.pressure, in.may_kick,
+        standing, in.committed,  meeting.arrived,     meeting.rolling,
     };
     return skills::position_for_kick(situation, kick, in.robots, skill);
 }
@@ -100,6 +99,7 @@ PossessionBehaviour make_possession(const PossessionConfig& config, const skills
                                     const skills::KickGeometry& kick) {
     auto to_path = std::make_shared<skills::GoTo>();
     auto to_finish = std::make_shared<skills::GoTo>();
+    auto meeting = std::make_shared<skills::KickMeeting>();
     std::vector<Action<PossessionInput, BodyRequest>> actions(kPossessionStates);
     actions[kIntercept] = {"intercept",
                            [=](const PossessionInput& in) {
@@ -118,7 +118,10 @@ PossessionBehaviour make_possession(const PossessionConfig& config, const skills
                             },
                             [=] { to_finish->reset(); }};
     actions[kPosition] = {"position",
-                          [=](const PossessionInput& in) { return position(in, skill, kick); }};
+                          [=](const PossessionInput& in) {
+                              return position(in, *meeting, skill, kick);
+                          },
+                          [=] { meeting->reset(); }};
     actions[kHold] = {"hold", [](const PossessionInput&) -> BodyRequest { return motion::Stand{}; }};
 
     Chooser<PossessionInput> chooser = [config](const PossessionInput& in, int state) {

@@ -28,10 +28,12 @@ struct SkillConfig {
 
     double circle_radius = 0.36;
     double approach_speed = 0.08;
-    double kick_tolerance_x = 0.015;
-    double kick_tolerance_y = 0.018;
+    double kick_tolerance_x = 0.012;
+    double kick_tolerance_y = 0.028;
     double kick_tolerance_yaw = 0.18;
     double leisure = 1.5;
+    double meet_before_finish = 0.25;
+    double kick_lead = 0.38;
     double kick_loosen = 1.4;
     double kick_loosen_yaw = 2.0;
 
@@ -76,6 +78,9 @@ struct SkillConfig {
                  "factor on the heading tolerance with a taker at the ball");
         f.number("leisure", leisure, {1.0, 10.0}, "",
                  "who stands ready without kicking moves again beyond this many tolerances");
+        f.number("meet_before_finish", meet_before_finish, {0.0, 1.0}, "m",
+                 "a rolling ball is kicked this far before it would come to rest");
+        f.number("kick_lead", kick_lead, {0.0, 1.0}, "s", "from the kick's beginning to the hit");
         f.number("look_sweep", look_sweep, {0.0, 1.0}, "rad",
                  "how far the head swings to both sides of the ball");
         f.number("look_sweep_busy", look_sweep_busy, {0.0, 1.0}, "rad", "the same while at the ball");

@@ -4,11 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace k3d::agent::skills {
 namespace {
 
-constexpr double kTurnFirst = radians(60.0);  // beyond this bearing turn before walking
+constexpr double kTurnFirst = radians(60.0);  // beyond this error of the heading only turn
+constexpr int kHeadings = 24;                 // tried for a way, the first one straight ahead
+constexpr double kBackwardWorth = 0.85;       // backwards the walk is less sure
 
 double turn_towards(double angle, const SkillConfig& c) {
     return std::clamp(c.turn_gain * angle, -c.turn_rate, c.turn_rate);
@@ -21,14 +24,54 @@ Vec2 within_reach(const Vec2& velocity, const SkillConfig& c) {
     return use > 1.0 ? Vec2(velocity / use) : velocity;
 }
 
+/// 1 when turned as wanted, 0 from kTurnFirst on.
+double share_while_turning(double error) {
+    return std::max(std::cos(std::min(std::abs(error) / kTurnFirst, 1.0) * (kPi / 2.0)), 0.0);
+}
+
 /// Turn towards a point in the robot frame and walk, at most this fast.
 motion::Walk head_for(const Vec2& point, double speed, const SkillConfig& c) {
     const double bearing = yaw_of(point);
-    const double ahead = std::cos(std::min(std::abs(bearing) * (kPi / 2.0) / kTurnFirst, kPi / 2.0));
     motion::Walk walk;
-    walk.forward = speed * std::max(ahead, 0.0);
+    walk.forward = speed * share_while_turning(bearing);
     walk.turn = turn_towards(bearing, c);
     return walk;
+}
+
+/// Seconds for a metre in this direction of the robot frame; the legs share their reach out.
+double slowness(double bearing, const SkillConfig& c) {
+    const double forward = std::cos(bearing);
+    const double backward_speed = kBackwardWorth * c.backward_speed;
+    return std::abs(forward) / (forward >= 0.0 ? c.forward_speed : backward_speed) +
+           std::abs(std::sin(bearing)) / c.side_speed;
+}
+
+/// How far to turn for the way to `point`, and there to `final_turn` (both in the robot frame), so
+/// that turning, walking and turning again take the least time.
+double best_turn(const Vec2& point, double final_turn, const SkillConfig& c) {
+    const double bearing = yaw_of(point);
+    const double way = point.norm();
+    double best = 0.0;
+    double shortest = std::numeric_limits<double>::infinity();
+    for (int k = 0; k < kHeadings; ++k) {
+        const double off = 2.0 * kPi * k / kHeadings;
+        const double turn = wrap_angle(bearing - off);
+        const double turning = std::abs(turn) + std::abs(wrap_angle(final_turn - turn));
+        const double time = turning / c.turn_rate + way * slowness(off, c);
+        if (time < shortest) {
+            shortest = time;
+            best = turn;
+        }
+    }
+    return best;
+}
+
+/// Walk to a point in the robot frame with the heading that takes the least time.
+motion::Walk walk_turned(const Vec2& point, double final_turn, double speed, const SkillConfig& c) {
+    const double turn = best_turn(point, final_turn, c);
+    const Vec2 velocity =
+        within_reach(speed * share_while_turning(turn) * point.normalized(), c);
+    return {velocity.x(), velocity.y(), turn_towards(turn, c)};
 }
 
 }  // namespace
@@ -77,8 +120,9 @@ motion::Walk walk_to(const Pose2& self, const Pose2& goal, std::span<const Obsta
     const double left_to_go = (goal.position - self.position).norm();
     const bool direct = way == goal.position;
     if (left_to_go > c.near_distance || !direct)
-        return head_for(local, direct ? std::min(c.forward_speed, c.gain * left_to_go) : c.forward_speed,
-                        c);
+        return walk_turned(local, wrap_angle(goal.yaw - self.yaw),
+                           direct ? std::min(c.forward_speed, c.gain * left_to_go) : c.forward_speed,
+                           c);
     const Vec2 velocity = within_reach(c.gain * local, c);
     return {velocity.x(), velocity.y(), turn_towards(wrap_angle(goal.yaw - self.yaw), c)};
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Walking to a place: far away turn towards it and walk, near it walk in any direction with the
-// final heading; around other robots. Team frame in, walk request in the robot's frame out.
+// Walking to a place: far away turned as takes the least time until the final heading (forward,
+// mostly), near it in any direction with the final heading; around other robots. Team frame in, walk
+// request in the robot's frame out.
 #pragma once
 
 #include <span>

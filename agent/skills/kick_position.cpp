@@ -45,10 +45,14 @@ motion::BodyRequest position_for_kick(const KickSituation& s, const KickGeometry
 
     const motion::Kick request{s.self.to_local(s.ball_now), wrap_angle(yaw - s.self.yaw), shot.norm()};
     const bool there = (s.ball_now - s.ball).norm() < kAtRest;
-    const bool placed = there && error.worst <= (s.committed ? kCommitted : 1.0) && kick.possible(request);
+    const bool must_stay = s.committed || (s.rolling && s.standing);
+    const bool placed = there && s.arrived && error.worst <= (must_stay ? kCommitted : 1.0) &&
+                        kick.possible(request);
     if (placed && s.may_kick) return request;
-    // At leisure a looser stance is left alone: shuffling about next to the ball only moves it.
-    if (!s.may_kick && error.worst <= (s.standing ? c.leisure : 0.8)) return motion::Stand{};
+    // At leisure a looser stance is left alone: shuffling about next to the ball only moves it. And
+    // who waits for the ball must stand quietly when it comes.
+    const bool waits = !s.may_kick || !there || !s.arrived;
+    if (waits && error.worst <= (s.standing ? c.leisure : 0.8)) return motion::Stand{};
 
     const Vec2 from_ball = s.self.position - s.ball;
     const double around = wrap_angle(yaw_of(stance.position - s.ball) - yaw_of(from_ball));

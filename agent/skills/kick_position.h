@@ -27,12 +27,14 @@ struct KickGeometry {
 struct KickSituation {
     Pose2 self;         ///< team frame
     Vec2 ball;          ///< where it lies or will come to rest
-    Vec2 ball_now;      ///< where it is; kicked only when it has come to `ball`
+    Vec2 ball_now;      ///< where a swing begun now hits it; kicked only when that is `ball`
     Vec2 target;
     double pressure = 0.0;   ///< 0 = nobody near, 1 = a taker at the ball: then be less choosy
     bool may_kick = false;   ///< else stand ready at the ball
     bool standing = false;   ///< the robot does not walk at the moment
     bool committed = false;  ///< a kick was asked for the cycle before; the robot comes to a stop
+    bool arrived = true;     ///< the ball has come as near to `ball` as it will
+    bool rolling = false;    ///< it will not lie there: a robot that stands well must not step
 };
 
 /// Error of a stance in the stance's own frame, as multiples of the tolerances at this pressure.

@@ -62,7 +62,7 @@ wire::Percepts WireAgent::join(int unum, const std::string& team, int type) {
     send("(scene rsg/agent/nao/nao_hetero.rsg " + std::to_string(type) + ")(syn)");
     EXPECT_TRUE(receive(percepts));
     percepts = step("(init (unum " + std::to_string(unum) + ")(teamname " + team + "))");
-    for (int i = 0; i < 10 && !percepts.game->unum; ++i) percepts = step();
+    for (int i = 0; i < kMostFramesToSeat && !percepts.game->unum; ++i) percepts = step();
     return percepts;
 }
 

@@ -16,6 +16,10 @@ namespace k3d::testing {
 
 inline constexpr std::chrono::seconds kPatience{30};
 
+/// Who has no seat yet is waited for by nobody: on a busy machine so many frames of 20 ms may lie in its
+/// socket before the one that answers its init.
+inline constexpr int kMostFramesToSeat = 500;
+
 /// Started on free ports, ended with the object.
 class ServerProcess {
   public:
@@ -42,7 +46,7 @@ class WireAgent {
     /// Next frame decoded; false at the connection's end. Fails the test on damaged frames; throws
     /// net::NetError if none comes in time.
     bool receive(wire::Percepts& percepts, std::chrono::milliseconds patience = kPatience);
-    /// scene, percept, init; returns once the frame with the team has come, at most ten frames later.
+    /// scene, percept, init; returns once the frame with the team has come.
     wire::Percepts join(int unum, const std::string& team, int type = 0);
     /// Sends the commands with (syn) and reads the next frame.
     wire::Percepts step(const std::string& commands = "");

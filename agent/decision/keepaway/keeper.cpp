@@ -14,12 +14,27 @@ namespace {
 
 constexpr std::size_t kMostRobots = 22;
 constexpr double kSoon = 0.7;  // m beyond hold_threshold: a taker walks it within a second
+constexpr double kEvadeAhead = 0.3;  // s that a taker's motion is looked ahead
+constexpr double kEvadeStep = 0.4;   // m
 
 double nearest_taker(const world::Beliefs& b, const Vec2& point) {
     double nearest = std::numeric_limits<double>::infinity();
     for (const world::Player& taker : b.opponents)
         nearest = std::min(nearest, (taker.position - point).norm());
     return nearest;
+}
+
+/// A place to step back to if a taker stands or comes nearer than this.
+std::optional<Vec2> away_from_takers(const world::Beliefs& b, double distance) {
+    const Vec2 self = b.self.pose.position;
+    Vec2 away = Vec2::Zero();
+    for (const auto& taker : b.opponents) {
+        const Vec2 soon = taker.position + kEvadeAhead * taker.velocity;
+        const Vec2 from = self - soon;
+        if (from.norm() < distance) away += from.normalized();
+    }
+    if (away.norm() < 1e-6) return std::nullopt;
+    return Vec2(self + kEvadeStep * away.normalized());
 }
 
 Vec2 inside(const Vec2& point, double half) {
@@ -122,8 +137,10 @@ motion::BodyRequest Keeper::act(const world::Beliefs& b, const motion::State& bo
             return walk_and_watch(b, *part.target);
         case Role::K3: break;
     }
-    account.skill = open_ ? "get_open" : "go_home";
-    account.target = place_of_k3(b, part);
+    // A taker that comes for the ball just kicked runs its kicker down, who has time to step aside.
+    const auto aside = away_from_takers(b, settings_.keeper.evade_distance);
+    account.skill = aside ? "step_aside" : open_ ? "get_open" : "go_home";
+    account.target = aside ? *aside : place_of_k3(b, part);
     return walk_and_watch(b, *account.target);
 }
 

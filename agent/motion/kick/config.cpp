@@ -8,11 +8,11 @@
 namespace k3d::agent::kick {
 
 Config::Config() {
-    ball_forward = 0.17;
+    ball_forward = 0.167;
     ball_outward = 0.033;
     aim_outward_deg = 0;
     reach_forward = 0.025;
-    reach_sideways = 0.03;
+    reach_sideways = 0.045;
     reach_direction_deg = 12;
 
     far.reach_m = 5.8;

@@ -63,6 +63,19 @@ TEST(Reproduction, RowsFollowTheBudget) {
     EXPECT_EQ(tables[0].task.taker, "greedy");
 }
 
+TEST(Reproduction, AChampionLearnedBeforePlaysToo) {
+    Budget budget;
+    budget.champion = "/some where/net.json";
+    const auto tables = tables_of("table1", budget);
+    const auto is_champion = [](const RowSpec& row) {
+        return row.key == "champion-file" && row.settings == "keeper.policy=\"/some where/net.json\"";
+    };
+    for (const TableSpec& table : tables) {
+        EXPECT_TRUE(std::any_of(table.rows.begin(), table.rows.end(), is_champion)) << table.name;
+    }
+    EXPECT_FALSE(tables_of("transfer", budget).front().rows.front().takes_best);
+}
+
 TEST(Reproduction, MistakesAreNamed) {
     const std::string file = testing::TempDir() + "/budget-" + std::to_string(getpid()) + ".toml";
     const auto fault = [&](const std::string& text) -> std::string {

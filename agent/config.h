@@ -21,6 +21,7 @@ struct Config {
     std::uint64_t seed = 1;
     bool beam = false;
     double belief_interval = 0.2;
+    bool telemetry_targets = false;
     double patience = 60.0;
     decision::KeepawayConfig keepaway;
     decision::KeeperConfig keeper;
@@ -41,6 +42,8 @@ struct Config {
         f.boolean("beam", beam, "beam to a kick-off position before kick-off and after goals");
         f.number("belief_interval", belief_interval, {0.02, 60.0}, "s",
                  "how often beliefs are written to the telemetry file");
+        f.boolean("telemetry_targets", telemetry_targets,
+                  "K1's beliefs list all targets that it has scored");
         f.number("patience", patience, {0.1, 86400.0}, "s",
                  "how long to wait for the server to take the connection, and for each frame");
         f.section("keepaway", keepaway);

@@ -34,7 +34,7 @@ Mind::Mind(const Config& config, const Seat& seat, const std::string& telemetry_
       world_(config.world, config.localisation, config.seed, seat.team),
       player_(player_settings(config, fmt::format("{}.{}", seat.team, seat.unum)),
               kick_geometry(config.motion.kick)),
-      telemetry_(telemetry_file, seat.team, config.belief_interval) {}
+      telemetry_(telemetry_file, seat.team, config.belief_interval, config.telemetry_targets) {}
 
 void Mind::think(std::string_view payload, std::string& reply) {
     // What the server says, in our units.

@@ -48,6 +48,7 @@ struct Files {
     std::string monitor_log;  ///< for monitors to play
     std::string record;       ///< for `replay` to re-simulate
     std::string web_folder;   ///< of the page
+    std::string beliefs;      ///< folder of agents' telemetry, for the page; empty: none
 };
 
 class Simulation {

@@ -85,7 +85,8 @@ std::string Simulation::open_ports() {
             notices_.say(spdlog::level::warn, "monitor at {} refused: {}", peer, why);
         });
     if (network.http_port >= 0) {
-        viewer_.emplace(loop_, network.listen, port(network.http_port), files_.web_folder);
+        viewer_.emplace(loop_, network.listen, port(network.http_port), files_.web_folder,
+                        files_.beliefs);
     }
     std::string line =
         fmt::format("ready agent={} monitor={}", agent_listener_->port(), monitor_listener_->port());

@@ -75,6 +75,8 @@ void add_flags(CLI::App& app, Options& options) {
                    "file to write the match to, for monitors to play");
     app.add_option("--record", options.files.record,
                    "file to write everything that comes in to, for `replay`");
+    app.add_option("--beliefs", options.files.beliefs,
+                   "folder in which agents write telemetry, drawn on the page over the truth");
     app.add_option("--web-folder", options.files.web_folder, "folder of the page (default ../web)");
 }
 

@@ -63,10 +63,20 @@ json target(const decision::Account& account, const Absolute& absolute) {
     return absolute.point(*account.target);
 }
 
+json scored(const decision::Account& account, const Absolute& absolute) {
+    json out = json::array();
+    for (const decision::Scored& place : account.scored) {
+        const json point = absolute.point(place.point);
+        out.push_back({point["x"], point["y"], rounded(place.cost)});
+    }
+    return out;
+}
+
 }  // namespace
 
-Telemetry::Telemetry(const std::string& path, const std::string& team, double belief_interval)
-    : team_(team), belief_interval_(belief_interval) {
+Telemetry::Telemetry(const std::string& path, const std::string& team, double belief_interval,
+                     bool targets)
+    : team_(team), belief_interval_(belief_interval), targets_(targets) {
     if (path.empty()) return;
     file_.open(path, std::ios::trunc);
     if (!file_) throw std::invalid_argument("cannot write telemetry file " + path);
@@ -105,21 +115,23 @@ void Telemetry::record(const world::Beliefs& b, const motion::State& body,
     }
     if (b.now + 1e-9 < next_belief_) return;
     next_belief_ = b.now + belief_interval_;
-    write("belief", {{"game_time", rounded(b.game.time)},
-                     {"mode", b.game.play_mode},
-                     {"pose", pose(b.self, absolute)},
-                     {"upright", body.upright},
-                     {"activity", name_of(body.activity)},
-                     {"falls", body.falls},
-                     {"kicks", kicks_},
-                     {"ball", ball(b, absolute)},
-                     {"role", account.role},
-                     {"skill", account.skill},
-                     {"k1", account.k1},
-                     {"k2", account.k2},
-                     {"target", target(account, absolute)},
-                     {"cost", rounded(account.cost)},
-                     {"taker_distance", rounded(account.taker_distance)}});
+    json belief{{"game_time", rounded(b.game.time)},
+                {"mode", b.game.play_mode},
+                {"pose", pose(b.self, absolute)},
+                {"upright", body.upright},
+                {"activity", name_of(body.activity)},
+                {"falls", body.falls},
+                {"kicks", kicks_},
+                {"ball", ball(b, absolute)},
+                {"role", account.role},
+                {"skill", account.skill},
+                {"k1", account.k1},
+                {"k2", account.k2},
+                {"target", target(account, absolute)},
+                {"cost", rounded(account.cost)},
+                {"taker_distance", rounded(account.taker_distance)}};
+    if (targets_) belief["scored"] = scored(account, absolute);
+    write("belief", belief);
 }
 
 }  // namespace k3d::agent::action

@@ -6,7 +6,7 @@
 //   belief        every belief_interval: game_time, mode, pose (x, y, yaw_deg, sd, yaw_sd_deg, localised),
 //                 upright, activity, falls, kicks, ball (x, y, vx, vy, finish_x, finish_y,
 //                 seen = s since own sight) or null, role, skill, k1, k2, target (x, y) or null,
-//                 cost, taker_distance
+//                 cost, taker_distance; with telemetry_targets scored, a list of [x, y, cost]
 //   kick_attempt  a kick motion begins: robot, ball and target
 //   kick_end      it is over
 //   fall, got_up
@@ -27,7 +27,9 @@ class Telemetry {
   public:
     /// Writes nothing if `path` is empty. Throws std::invalid_argument if the file cannot be
     /// written. Each line goes out whole, so that a killed agent leaves no half of one.
-    Telemetry(const std::string& path, const std::string& team, double belief_interval);
+    /// `targets`: beliefs tell all targets that K1 has scored.
+    Telemetry(const std::string& path, const std::string& team, double belief_interval,
+              bool targets = false);
 
     /// Once a cycle.
     void record(const world::Beliefs& beliefs, const motion::State& body,
@@ -37,6 +39,7 @@ class Telemetry {
     std::ofstream file_;
     std::string team_;
     double belief_interval_;
+    bool targets_;
     bool started_ = false;
     double next_belief_ = 0.0;
     bool upright_ = true;

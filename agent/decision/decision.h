@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 
 #include "agent/motion/motion.h"
@@ -10,6 +11,12 @@
 #include "common/math/geometry.h"
 
 namespace k3d::agent::decision {
+
+/// A place that was considered, and what it costs; team frame.
+struct Scored {
+    Vec2 point = Vec2::Zero();
+    double cost = 0.0;
+};
 
 /// For telemetry: what was decided and on what grounds. Team frame.
 struct Account {
@@ -19,6 +26,7 @@ struct Account {
     int k2 = 0;                       ///< K1: whom it names; follower: whom it follows
     std::optional<Vec2> target;       ///< kick target (K1) or place to be at
     double cost = 0.0;                ///< K1: of the target
+    std::span<const Scored> scored;   ///< K1: targets it has scored in this cycle; valid until the next
     double taker_distance = -1.0;     ///< m, nearest taker to the ball; -1 = none known
 };
 

@@ -72,7 +72,9 @@ void Stage::start_server(const spec::DrillSpec& spec, std::uint64_t seed, int ht
                                    "--lobby-s", fmt::format("{}", spec.patience_s),
                                    "--hung-agent-s", fmt::format("{}", spec.patience_s),
                                    "--set", "pace.lobby_left=1"};
-    if (http_port >= 0) words.insert(words.end(), {"--http", std::to_string(http_port)});
+    if (http_port >= 0) {
+        words.insert(words.end(), {"--http", std::to_string(http_port), "--beliefs", folder_});
+    }
     if (!spec.server_config.empty()) words.insert(words.end(), {"--config", spec.server_config});
     add_settings(words, spec::parse_settings(spec.settings).server);
     host_ = "127.0.0.1";

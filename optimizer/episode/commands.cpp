@@ -83,6 +83,7 @@ std::vector<std::string> server_command(const spec::MatchSpec& spec, const Task&
                                    result_file(folder)};
     if (http_port >= 0) {
         add(words, "--http", std::to_string(http_port));
+        add(words, "--beliefs", folder);
         add(words, "--set", fmt::format("first_episode={}", task.index + 1));
     }
     add(words, "--config", spec.server_config);
@@ -120,6 +121,7 @@ std::vector<std::string> agent_command(const spec::MatchSpec& spec, const Task& 
     } else {
         add(words, "--taker", spec.taker);
     }
+    if (seat.keeper && spec.http_port >= 0) add(words, "--set", "telemetry_targets=true");
     add(words, "--config", spec.agent_config);
     add_all(words, seat.keeper ? settings.keeper : settings.taker);
     return words;

@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The reference's step: contact joints for ODE and one dWorldStep, which solves the exact LCP over
 // all rows of hinges, motors and contacts (reference 2.1, 5.5).
+//
+// The motors' bounds cost the LCP a third of its time. Stepping without them first, and again with
+// them where a motor went beyond its 10 N m, took 807 us in place of 1197 for five robots on a steady
+// walk, and nothing less in a match: each start of a step of our walk asks hips and knees for up to
+// 70 N m, so that three cycles in ten were stepped twice. It was left out for that.
 #pragma once
 
 #include <ode/ode.h>

@@ -8,6 +8,7 @@
 
 #include "common/http/server.h"
 #include "common/log/log.h"
+#include "server/viewer/beliefs.h"
 #include "server/viewer/scene_json.h"
 
 namespace k3d::server::viewer {
@@ -18,6 +19,7 @@ namespace {
 
 // Faster than any screen; at the fast pace, more would only slow the simulation.
 constexpr std::chrono::milliseconds kLeastInterval{10};
+constexpr std::chrono::milliseconds kBeliefInterval{50};
 
 std::string checked(const std::string& web_folder) {
     std::error_code ignored;
@@ -35,8 +37,9 @@ struct Page {
 
 struct Viewer::Impl {
     Impl(net::Loop& loop, const std::string& address, std::uint16_t port,
-         const std::string& web_folder)
-        : server(loop, {.address = address, .port = port, .folder = checked(web_folder)},
+         const std::string& web_folder, const std::string& beliefs_folder)
+        : beliefs(beliefs_folder),
+          server(loop, {.address = address, .port = port, .folder = checked(web_folder)},
                  [this](std::unique_ptr<http::Socket> socket) {
                      spdlog::debug("viewer: a page opened");
                      pages.push_back({std::move(socket)});
@@ -54,6 +57,7 @@ struct Viewer::Impl {
             key = std::move(next);
             ++revision;
         }
+        tell_beliefs(now);
         std::string whole, moment;  // each made once, and only if some page needs it
         for (Page& page : pages) {
             if (!page.socket->ready()) continue;
@@ -64,6 +68,22 @@ struct Viewer::Impl {
         }
     }
 
+    /// In place of a scene for those who have one. A page that misses some sees the next: agents
+    /// write five a second.
+    void tell_beliefs(net::Clock::time_point now) {
+        if (now - beliefs_read < kBeliefInterval) return;
+        beliefs_read = now;
+        const std::string text = beliefs.news();
+        if (text.empty()) return;
+        for (Page& page : pages) {
+            if (page.told == revision && page.socket->ready()) {
+                page.socket->send(http::Socket::Kind::Text, text);
+            }
+        }
+    }
+
+    Beliefs beliefs;
+    net::Clock::time_point beliefs_read{};
     std::vector<Page> pages;
     SceneKey key;
     int revision = 0;
@@ -72,8 +92,8 @@ struct Viewer::Impl {
 };
 
 Viewer::Viewer(net::Loop& loop, const std::string& address, std::uint16_t port,
-               const std::string& web_folder)
-    : impl_(std::make_unique<Impl>(loop, address, port, web_folder)) {}
+               const std::string& web_folder, const std::string& beliefs_folder)
+    : impl_(std::make_unique<Impl>(loop, address, port, web_folder, beliefs_folder)) {}
 
 Viewer::~Viewer() = default;
 

@@ -49,8 +49,9 @@ class Viewer {
   public:
     /// `web_folder` holds index.html and its modules. Throws net::NetError if it cannot listen,
     /// std::runtime_error naming the folder if index.html is not in it.
+    /// `beliefs_folder`: agents' telemetry to be drawn over the scenes; empty: none.
     Viewer(net::Loop& loop, const std::string& address, std::uint16_t port,
-           const std::string& web_folder);
+           const std::string& web_folder, const std::string& beliefs_folder = {});
     ~Viewer();
 
     std::uint16_t port() const;

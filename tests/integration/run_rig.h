@@ -70,6 +70,26 @@ class RunRig : public ::testing::Test {
         return exit ? exit->code : -1;
     }
 
+    /// However slow the machine is: until `reached` is true; false if the child ends before that.
+    template <class Reached>
+    static bool await(process::Child& child, const Reached& reached) {
+        const auto deadline = std::chrono::steady_clock::now() + kRunPatience;
+        while (!reached() && std::chrono::steady_clock::now() < deadline) {
+            if (child.wait(std::chrono::milliseconds(20))) return false;
+        }
+        return reached();
+    }
+    /// An episode is being played, so daemon or worker have nothing more to set up.
+    bool plays() const { return !std::filesystem::is_empty(path("quick")); }
+    bool tells(const std::string& log, const std::string& words) const {
+        return content(log).find(words) != std::string::npos;
+    }
+    /// The rows so far; none while there is no ledger yet.
+    std::string rows_so_far(const std::string& run_name) const {
+        if (!std::filesystem::exists(path(run_name) + "/ledger.sqlite")) return "";
+        return run({"show", path(run_name), "--csv"}, "shown") == 0 ? content("shown") : "";
+    }
+
     std::string shown(const std::string& run_name, const std::string& flag) const {
         EXPECT_EQ(run({"show", path(run_name), flag}, "shown"), 0) << content("shown");
         return content("shown");

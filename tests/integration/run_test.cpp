@@ -40,7 +40,9 @@ TEST_F(Runs, AKilledDaemonGoesOnWhereItWas) {
     std::string before;
     for (int kills = 0; kills < 5; ++kills) {
         process::Child daemon = start(words, "hit.log");
-        daemon.wait(std::chrono::milliseconds(600 + 250 * kills));
+        ASSERT_TRUE(await(daemon, [&] { return rows_so_far("hit").size() > before.size() + 200; }))
+            << content("hit.log");
+        daemon.wait(std::chrono::milliseconds(100 * kills));
         daemon.kill();
         words = {"resume", path("hit"), "--jobs", "4"};
         const std::string now = shown("hit", "--csv");
@@ -56,7 +58,7 @@ TEST_F(Runs, AKilledDaemonGoesOnWhereItWas) {
 
 TEST_F(Runs, StopsInOrderAndGoesOn) {
     process::Child daemon = start({"run", path("exp.toml"), "--run", path("a")}, "a.log");
-    daemon.wait(std::chrono::milliseconds(800));
+    ASSERT_TRUE(await(daemon, [this] { return plays(); })) << content("a.log");
     ::kill(daemon.pid(), SIGTERM);
     const auto exit = daemon.wait(kRunPatience);
     ASSERT_TRUE(exit);
@@ -66,7 +68,7 @@ TEST_F(Runs, StopsInOrderAndGoesOn) {
 
 TEST_F(Runs, ASecondDaemonIsTurnedAway) {
     process::Child daemon = start({"run", path("exp.toml"), "--run", path("a")}, "a.log");
-    daemon.wait(std::chrono::milliseconds(500));
+    ASSERT_TRUE(await(daemon, [this] { return plays(); })) << content("a.log");
     EXPECT_EQ(run({"resume", path("a")}, "second.log"), 1);
     EXPECT_EQ(content("second.log"), "k3d-optimizer: " + path("a") +
                                          ": another k3d-optimizer is at work here, process " +

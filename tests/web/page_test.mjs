@@ -188,6 +188,18 @@ async function checkRestart(page, demo, port) {
   }
 }
 
+/** What keepers believe is drawn, and the button hides it. */
+async function checkBeliefs(page) {
+  await page.until("three keepers' beliefs", "k3d.believers.length === 3", patience);
+  const button = "document.getElementById('beliefs')";
+  check("beliefs can be hidden", await page.value(`!${button}.hidden`));
+  const pressed = () => page.value(`${button}.getAttribute("aria-pressed")`);
+  const before = await pressed();
+  await save(page, "beliefs.png");
+  await page.key("v");
+  check("a key hides them", before === "true" && (await pressed()) === "false");
+}
+
 async function main() {
   if ([option.demo, option.match, option.url].filter(Boolean).length !== 1)
     throw new Error("give one of --demo, --match and --url");
@@ -201,6 +213,7 @@ async function main() {
       option.chromium ?? "/usr/bin/chromium", option.url ?? `http://127.0.0.1:${port}/`);
     await checkScene(page);
     if (demo) await checkRestart(page, demo, port);
+    if (option.match) await checkBeliefs(page);
   } finally {
     await page?.close();
     await shown?.end();

@@ -59,6 +59,7 @@ Keeper::Keeper(const KeeperSettings& settings, Policy policy, const skills::Kick
     situation_.takers.reserve(kMostRobots);
     situation_.receivers.reserve(kMostRobots);
     obstacles_.reserve(kMostRobots + 1);
+    scored_.reserve(grid_.size());
     if (!settings.keeper.open.empty()) open_.emplace(settings.keeper.open, grid_);
 }
 
@@ -202,7 +203,8 @@ void Keeper::choose_target(const world::Beliefs& b, Account& account) {
             return room_for(p, situation.ball);
         };
         const Target best = best_target(grid_, situation, policy_, settings_.evaluation,
-                                        std::ref(room), target_, keep);
+                                        std::ref(room), target_, keep, &scored_);
+        account.scored = scored_;
         target_ = best.point;
         account.cost = best.cost;
     }

@@ -70,6 +70,7 @@ class Keeper {
     std::optional<motion::Kick> swing_;  ///< the kick asked for last or under way
     PassSituation situation_;                  ///< of this cycle; kept for its memory
     std::vector<skills::Obstacle> obstacles_;  ///< likewise
+    std::vector<Scored> scored_;               ///< likewise
     int k2_ = 0;
     int kicks_ = 0;
     bool was_k1_ = false;

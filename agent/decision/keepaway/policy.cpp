@@ -42,7 +42,9 @@ Policy load_policy(const std::string& name) {
 
 Target best_target(const std::vector<Vec2>& grid, const PassSituation& situation,
                    const Policy& policy, const EvaluationConfig& config, const Room& room,
-                   const std::optional<Vec2>& previous, double keep) {
+                   const std::optional<Vec2>& previous, double keep,
+                   std::vector<Scored>* scored) {
+    if (scored != nullptr) scored->clear();
     static thread_local network::State state;  // kept between calls only for its memory
     const auto cost_at = [&](const Vec2& point) {
         const Features f = features_at(point, situation, config.ideal_pass_m);
@@ -66,6 +68,7 @@ Target best_target(const std::vector<Vec2>& grid, const PassSituation& situation
         }
         if (space < 0.0) continue;
         const Target candidate{point, cost_at(point)};
+        if (scored != nullptr) scored->push_back({point, candidate.cost});
         if (!best || candidate.cost < best->cost) best = candidate;
         if (previous && (point - *previous).norm() < 1e-6) kept = candidate;
     }

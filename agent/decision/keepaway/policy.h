@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "agent/decision/config.h"
+#include "agent/decision/decision.h"
 #include "agent/decision/keepaway/features.h"
 #include "common/network/network.h"
 
@@ -48,8 +49,10 @@ using Room = std::function<double(const Vec2&)>;
 /// The point of lowest cost among those with room that are at least min_pass from the ball, the
 /// first of equals. `previous`, if it is on the grid and has room, stays unless the best is lower
 /// by more than `keep` of its absolute cost. If no point has room, the one with most of it.
+/// `scored`, if given, is filled with all points that have room.
 Target best_target(const std::vector<Vec2>& grid, const PassSituation& situation,
                    const Policy& policy, const EvaluationConfig& config, const Room& room,
-                   const std::optional<Vec2>& previous, double keep);
+                   const std::optional<Vec2>& previous, double keep,
+                   std::vector<Scored>* scored = nullptr);
 
 }  // namespace k3d::agent::decision

@@ -89,8 +89,22 @@ export function showRobotButtons(robots) {
   }));
 }
 
+/** Beliefs have come: shows the button that hides them; `toggle()` returns whether they are shown. */
+export function offerBeliefs(shown, toggle) {
+  const button = element("beliefs");
+  if (!button.hidden) return;
+  const change = () => button.setAttribute("aria-pressed", String(toggle()));
+  button.hidden = false;
+  button.setAttribute("aria-pressed", String(shown));
+  button.addEventListener("click", change);
+  addEventListener("keydown", (event) => {
+    if (event.ctrlKey || event.altKey || event.metaKey) return;
+    if (event.key.toLowerCase() === "v") change();
+  });
+}
+
 export function showCamera(name) {
-  for (const button of document.querySelectorAll(".cameras button")) {
+  for (const button of document.querySelectorAll(".cameras button[data-view]")) {
     button.setAttribute("aria-pressed", String(button.dataset.view === name));
   }
 }

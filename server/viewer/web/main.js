@@ -2,6 +2,7 @@
 // The page: stream -> scene -> picture. Tests look at it through window.k3d.
 import * as THREE from "three";
 
+import {Beliefs} from "./beliefs.js";
 import * as board from "./board.js";
 import {View} from "./camera.js";
 import {buildGround} from "./ground.js";
@@ -46,7 +47,7 @@ function discard(group) {
 }
 
 /** What tests see of the page. */
-function hookOf(show, view, choose) {
+function hookOf(show, view, choose, beliefs) {
   const robots = () => show.players?.robots ?? [];
   return {
     get frames() { return show.frames; },
@@ -59,6 +60,7 @@ function hookOf(show, view, choose) {
       return robots().map(({team, number, parts}) => ({team, number, parts: parts.length}));
     },
     get ballPosition() { return show.players?.ball.position.toArray(); },
+    get believers() { return beliefs.players; },
     get robotPositions() { return robots().map((robot) => robot.position.toArray()); },
     choose,
   };
@@ -101,6 +103,7 @@ function start() {
   // latest: moment not drawn yet; shown: moment last drawn
   const show = {ground: null, players: null, latest: null, shown: null, state: "", frames: 0};
   const {choose, keep} = cameras(show, view);
+  const beliefs = new Beliefs(scene);
 
   const resize = () => {
     renderer.setSize(innerWidth, innerHeight, false);
@@ -125,6 +128,13 @@ function start() {
       keep();
     },
     moment(message) { show.latest = message; },
+    beliefs(players) {
+      beliefs.take(players);
+      board.offerBeliefs(beliefs.shown, () => {
+        beliefs.toggle();
+        return beliefs.shown;
+      });
+    },
     state(next) {
       show.state = next;
       board.showState(next);
@@ -136,6 +146,7 @@ function start() {
     if (show.latest && show.players) {
       show.players.move(show.latest);
       board.showMoment(show.latest);
+      beliefs.expire(show.latest.time);
       show.shown = show.latest;
       show.latest = null;
     }
@@ -147,7 +158,7 @@ function start() {
     renderer.render(scene, view.camera);
     ++show.frames;
   });
-  window.k3d = hookOf(show, view, choose);
+  window.k3d = hookOf(show, view, choose, beliefs);
 }
 
 try {

@@ -8,7 +8,7 @@ const longestPause = 2000;
 const silence = 2000;  // ms without a message until we say that the simulation stands still
 
 /**
- * Calls on.scene(scene), on.moment(moment) and on.state(state), state being one of
+ * Calls on.scene(scene), on.moment(moment), on.beliefs(by player) and on.state(state), state being one of
  *  "waiting" (no server yet), "lost" (it was there), "open" (nothing told yet), "live", "still"
  *  (connected, but nothing new), "outdated" (the server is newer than this page).
  */
@@ -34,6 +34,8 @@ export function openStream(on) {
       on.moment(message.now);
     } else if (message.kind === "moment") {
       on.moment(message);
+    } else if (message.kind === "beliefs") {
+      return on.beliefs(message.players);
     }
     everLive = true;
     tell("live");

@@ -87,6 +87,20 @@ TEST_F(TelemetryTest, RightTeamIsTurnedToTheFieldFrame) {
     EXPECT_DOUBLE_EQ(belief["target"]["y"], -1.0);
 }
 
+TEST_F(TelemetryTest, ScoredTargetsWhenAsked) {
+    const std::vector<decision::Scored> scored{{{1.0, 2.0}, 0.5}, {{-3.0, 0.0}, 12.25}};
+    decision::Decision d = k1_at({4.0, 1.0});
+    d.account.scored = scored;
+    {
+        Telemetry t(path_, "Blues", 0.2);
+        t.record(seen_from(wire::Side::Right, 10.0), {}, d);
+    }
+    EXPECT_FALSE(events("belief").at(0).contains("scored"));
+    Telemetry t(path_, "Blues", 0.2, true);
+    t.record(seen_from(wire::Side::Right, 10.0), {}, d);
+    EXPECT_EQ(events("belief").at(0)["scored"], json::parse("[[-1.0,-2.0,0.5],[3.0,0.0,12.25]]"));
+}
+
 TEST_F(TelemetryTest, EventsAreWrittenInTheirCycle) {
     Telemetry t(path_, "Reds", 60.0);
     motion::State body;

@@ -39,6 +39,17 @@ TEST(WalkTo, AheadBesideBehind) {
     EXPECT_DOUBLE_EQ(behind.turn, -kConfig.turn_rate);
 }
 
+TEST(WalkTo, TurnedAsTakesTheLeastTime) {
+    // Half a metre back with the same heading: two turns would take longer than walking backwards.
+    const motion::Walk back = walk_to({}, {{-0.6, 0.0}, 0.0}, {}, kConfig);
+    EXPECT_LT(back.forward, -0.3);
+    EXPECT_NEAR(back.turn, 0.0, 1e-9);
+    // The same place, to be looked back from: the turn is due anyway.
+    const motion::Walk about = walk_to({}, {{-0.6, 0.0}, 3.0}, {}, kConfig);
+    EXPECT_NEAR(about.forward, 0.0, 1e-9);
+    EXPECT_DOUBLE_EQ(std::abs(about.turn), kConfig.turn_rate);
+}
+
 TEST(WalkTo, NearTheGoalInAnyDirectionWithTheFinalHeading) {
     const motion::Walk side = walk_to({}, {{0.0, 0.05}, 0.3}, {}, kConfig);
     EXPECT_NEAR(side.forward, 0.0, 1e-12);

@@ -74,6 +74,14 @@ TEST(KickMeeting, WhoStandsReadySwingsSoThatTheFootMeetsTheRollingBall) {
     FAIL() << "it never swings";
 }
 
+TEST(KickMeeting, WhoStandsALittleOffLetsTheBallCome) {
+    // A centimetre off along the ball's way: the ball is hit there, and nobody steps.
+    const double before = kConfig.meet_before_finish - 0.01;
+    const Meeting m = KickMeeting().plan(stance_for({0.0, -before}), rolling(2.0), kTarget, true,
+                                         true, kKick, kConfig);
+    EXPECT_NEAR(m.point.y(), -before, 2e-3);
+}
+
 TEST(KickMeeting, WhoComesTooLateGoesToTheStoppingPoint) {
     const Meeting far =
         KickMeeting().plan({{-3.0, 0.0}, 0.0}, rolling(0.5), kTarget, true, false, kKick, kConfig);

@@ -113,6 +113,21 @@ TEST(BestTarget, NetworkLowestCostWins) {
     EXPECT_DOUBLE_EQ(far.cost, -65.0);
 }
 
+TEST(BestTarget, TellsAllPointsWithRoomAndTheirCosts) {
+    Policy policy;
+    policy.cost.emplace(prefers(4, 1.0), "test");
+    const auto grid = target_grid(10.0, kConfig);
+    const Room right = [](const Vec2& p) { return p.x(); };
+    std::vector<Scored> scored{{Vec2::Zero(), 7.0}};
+    const Target best = best_target(grid, quiet(), policy, kConfig, right, {}, 0.0, &scored);
+    EXPECT_EQ(scored.size(), 45u);  // of 9 columns, those at 0 and to the right
+    for (const Scored& s : scored) {
+        EXPECT_GE(s.point.x(), 0.0);
+        EXPECT_GE(s.cost, best.cost);
+        EXPECT_NEAR(s.cost, (s.point - Vec2(3.0, 0.0)).squaredNorm(), 1e-9);
+    }
+}
+
 TEST(BestTarget, NeverNextToTheBallNorWhereItIsForbidden) {
     Policy policy;
     policy.cost.emplace(prefers(3, -1.0), "test");  // likes lengths far from ideal: 0 best

@@ -18,6 +18,7 @@
 #include "optimizer/report/reproduction_page.h"
 #include "optimizer/report/run_report.h"
 #include "optimizer/run.h"
+#include "optimizer/spec/match_spec.h"
 #include "optimizer/spec/words.h"
 #include "optimizer/test_table.h"
 
@@ -35,6 +36,7 @@ struct Flags {
     std::string experiments = "optimizer/experiments";
     std::string out;
     std::string champion;
+    std::string foreign_takers;
     int jobs = 1;
 };
 
@@ -212,6 +214,10 @@ int reproduce(Flags flags) {
         network::load_file(flags.champion);  // to learn of its faults before anything is played
         work.budget.champion = fs::absolute(flags.champion).lexically_normal().string();
     }
+    if (!flags.foreign_takers.empty()) {
+        spec::check_command("--foreign-takers", flags.foreign_takers);
+        work.budget.foreign_takers = flags.foreign_takers;
+    }
     fs::create_directories(flags.out);
     const bool done = do_parts(work);
     progress.say(progress.summary());
@@ -239,6 +245,8 @@ void add_reproduce_verb(CLI::App& app, std::function<int()>& chosen) {
     verb->add_option("--out", flags->out, "folder (default runs/reproduce-BUDGET)");
     verb->add_option("--champion", flags->champion,
                      "network file learned before: plays table 1 too, and transfer");
+    verb->add_option("--foreign-takers", flags->foreign_takers,
+                     "command of a foreign program: table 1 also against it in the takers' seats");
     verb->add_option("--experiments", flags->experiments,
                      "folder of the experiments (default optimizer/experiments)");
     verb->add_option("--jobs", flags->jobs, "episodes at a time (default 1)")

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "common/config/config.h"
+#include "optimizer/spec/match_spec.h"
 #include "optimizer/spec/settings.h"
 #include "optimizer/spec/words.h"
 
@@ -88,6 +89,12 @@ std::vector<TableSpec> table1(const Budget& budget) {
         table.task.settings += " taker:taker.top_speed=0.66";
         table.rows = {best_learned(budget), keepaway_baselines().front()};
         add(std::move(table), "greedy_random");
+    }
+    if (!budget.foreign_takers.empty()) {
+        TableSpec table = keepaway_table("table1-foreign", "Table 1, takers a foreign program", budget);
+        table.task.taker_command = budget.foreign_takers;
+        table.rows = {best_learned(budget), keepaway_baselines().front()};
+        add(std::move(table), "greedy");
     }
     return tables;
 }
@@ -192,6 +199,8 @@ void Budget::describe(config::Fields& f) {
     f.text("champion", champion, {},
            "network file: a row of table 1, and plays transfer instead of what was found");
     f.boolean("slow_takers", slow_takers, "table 1 also against takers of 0.66 m/s");
+    f.text("foreign_takers", foreign_takers, {},
+           "command of a foreign program: table 1 also against it in the takers' seats");
     for (auto& [name, search] : searches) f.section(name, search);
 }
 
@@ -201,6 +210,7 @@ Budget load_budget(const std::string& file) {
     try {
         parse_settings(budget.settings);
         for (const std::string& taker : split_words(budget.takers)) check_taker(taker);
+        check_command("foreign_takers", budget.foreign_takers);
         for (const std::string& side : split_words(budget.sides)) check_side(side);
         for (const auto& [name, search] : budget.searches) split_words(search.set);
     } catch (const std::invalid_argument& error) {

@@ -13,7 +13,6 @@ namespace k3d::agent::decision {
 namespace {
 
 constexpr std::size_t kMostRobots = 22;
-constexpr double kSoon = 0.7;  // m beyond hold_threshold: a taker walks it within a second
 constexpr double kEvadeAhead = 0.3;  // s that a taker's motion is looked ahead
 constexpr double kEvadeStep = 0.4;   // m
 
@@ -83,10 +82,7 @@ Decision Keeper::decide(const world::Beliefs& b, const motion::State& body,
     was_k1_ = is_k1;
 
     d.request.body = act(b, body, part, d.account);
-    // A K1 that holds looks about for takers; one that is to kick keeps its eyes on the ball.
-    const bool holds = !b.ball.moving && nearest_taker(b, b.ball.position) >
-                                             settings_.keeper.hold_threshold + kSoon;
-    const bool busy = is_k1 && !holds && (b.self.pose.position - b.ball.position).norm() < 0.8;
+    const bool busy = is_k1 && (b.self.pose.position - b.ball.position).norm() < 0.8;
     d.request.head = skills::look(b, body, busy, settings_.skills);
 
     talk::Message m;

@@ -193,7 +193,11 @@ void Keeper::choose_target(const world::Beliefs& b, Account& account) {
         const double near = nearest_taker(b, b.ball.position);
         const double keep = near <= c.hold_threshold ? c.commit_margin : c.target_margin;
         const auto room = [&](const Vec2& p) { return room_for(p, situation.ball); };
-        targets_in_time(grid_, std::ref(room), haste(b.self.pose, situation), in_time_);
+        const auto ready = [&](const Vec2& p) {
+            return time_to_kick(p, b.self.pose, situation.ball);
+        };
+        const Haste haste{time_until_taker(situation), c.patience_s, std::ref(ready)};
+        targets_in_time(grid_, std::ref(room), haste, in_time_);
         const auto& targets = in_time_.empty() ? grid_ : in_time_;
         const Target best = best_target(targets, situation, policy_, settings_.evaluation,
                                         std::ref(room), target_, keep, &scored_);
@@ -206,17 +210,18 @@ void Keeper::choose_target(const world::Beliefs& b, Account& account) {
     account.k2 = k2_;
 }
 
-Haste Keeper::haste(const Pose2& self, const PassSituation& situation) const {
-    const KeeperConfig& c = settings_.keeper;
+double Keeper::time_until_taker(const PassSituation& situation) const {
     double near = std::numeric_limits<double>::infinity();
     for (const auto& taker : situation.takers)
         near = std::min(near, (taker.position - situation.ball).norm());
-    return {(near - c.taker_reach) / c.taker_speed, c.patience_s, [&, self](const Vec2& target) {
-                const double stand = skills::soonest_stance(self, situation.ball, target, -1, kick_,
-                                                            settings_.skills).time;
-                const bool kept = target_ && (*target_ - target).norm() < 1e-6;
-                return stand + c.kick_time_s - (kept ? c.change_s : 0.0);
-            }};
+    return (near - settings_.keeper.taker_reach) / settings_.keeper.taker_speed;
+}
+
+double Keeper::time_to_kick(const Vec2& target, const Pose2& self, const Vec2& ball) const {
+    const skills::Stance stance =
+        skills::soonest_stance(self, ball, target, -1, kick_, settings_.skills);
+    const bool kept = target_ && (*target_ - target).norm() < 1e-6;
+    return stance.time + settings_.keeper.kick_time_s - (kept ? settings_.keeper.change_s : 0.0);
 }
 
 double Keeper::room_for(const Vec2& target, const Vec2& ball) const {

@@ -53,8 +53,9 @@ class Keeper {
     void choose_target(const world::Beliefs& beliefs, Account& account);
     /// Room of policy.h: for the stance, for where the ball lands, and between that and the target.
     double room_for(const Vec2& target, const Vec2& ball) const;
-    /// How soon a taker comes to the ball, and how soon K1 at `self` can have kicked it.
-    Haste haste(const Pose2& self, const PassSituation& situation) const;
+    double time_until_taker(const PassSituation& situation) const;  ///< s until one is at the ball
+    /// How soon K1 at `self` can have kicked the ball, s; sooner at the present target.
+    double time_to_kick(const Vec2& target, const Pose2& self, const Vec2& ball) const;
     /// Where K3 goes: home, or where the learned function sends it.
     Vec2 place_of_k3(const world::Beliefs& beliefs, const Assignment& part);
     motion::BodyRequest walk_and_watch(const world::Beliefs& beliefs, const Vec2& place);

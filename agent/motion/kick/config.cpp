@@ -13,8 +13,8 @@ AngledSwing tuned_slant() {
     AngledSwing a;
     a.place.ball_forward = 0.156;
     a.place.ball_outward = 0.099;
-    a.place.reach_forward = 0.035;
-    a.place.reach_sideways = 0.035;
+    a.place.reach_forward = 0.03;
+    a.place.reach_sideways = 0.03;
     a.place.reach_direction_deg = 16;
     a.place.aim_outward_deg = 47;
     a.swing.reach_m = 4.6;
@@ -39,8 +39,8 @@ AngledSwing tuned_square() {
     AngledSwing a;
     a.place.ball_forward = 0.152;
     a.place.ball_outward = 0.135;
-    a.place.reach_forward = 0.035;
-    a.place.reach_sideways = 0.04;
+    a.place.reach_forward = 0.025;
+    a.place.reach_sideways = 0.035;
     a.place.reach_direction_deg = 16;
     a.place.aim_outward_deg = 77;
     a.swing.reach_m = 4.6;

@@ -13,11 +13,15 @@ namespace k3d::agent {
 namespace {
 
 skills::KickGeometry kick_geometry(const kick::Config& config) {
-    return {[config](const Pose2& self, const Vec2& ball, double yaw) {
-                return kick::stand_pose_near(config, self, ball, yaw);
+    using kick::kStrikes;
+    const auto strike = [](int number) { return kStrikes[static_cast<std::size_t>(number)]; };
+    return {static_cast<int>(kStrikes.size()),
+            [=](int number, double distance) { return kick::suits(config, strike(number), distance); },
+            [=](int number, const Vec2& ball, double yaw) {
+                return kick::stand_pose(config, ball, yaw, strike(number));
             },
-            [config](const motion::Kick& wish) { return kick::kick_possible(config, wish); },
-            [config](double wanted) { return config.reach_for(wanted); }};
+            [=](const motion::Kick& wish) { return kick::kick_possible(config, wish); },
+            [=](double wanted) { return config.reach_for(wanted); }};
 }
 
 decision::PlayerSettings player_settings(const Config& c, const std::string& entity) {
@@ -33,7 +37,7 @@ Mind::Mind(const Config& config, const Seat& seat, const std::string& telemetry_
       motion_(model_, config_.motion),
       world_(config.world, config.localisation, config.seed, seat.team),
       player_(player_settings(config, fmt::format("{}.{}", seat.team, seat.unum)),
-              kick_geometry(config.motion.kick)),
+              kick_geometry(motion_.kick_config())),
       telemetry_(telemetry_file, seat.team, config.belief_interval, config.telemetry_targets) {}
 
 void Mind::think(std::string_view payload, std::string& reply) {

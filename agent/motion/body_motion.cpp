@@ -11,6 +11,12 @@ namespace k3d::agent::motion {
 
 namespace {
 
+/// The values as this type of robot moves with them.
+Config of_type(Config config, int type) {
+    config.kick = kick_of_type(config.kick, config.kick_by_type, type);
+    return config;
+}
+
 bool is_neck(nao::JointId id) {
     return id == nao::JointId::HeadYaw || id == nao::JointId::HeadPitch;
 }
@@ -19,12 +25,12 @@ bool is_neck(nao::JointId id) {
 
 BodyMotion::BodyMotion(const nao::Model& model, const Config& config)
     : model_(model),
-      config_(config),
+      config_(of_type(config, model.type)),
       right_(model, kinematics::Side::Right),
       left_(model, kinematics::Side::Left),
       walk_(model, config_.walk),
       kick_(config_.kick),
-      get_up_(config_.getup),
+      get_up_(config_.getup, model.type),
       control_(model) {}
 
 const State& BodyMotion::step(const BodySense& sense, const Request& request,
@@ -108,7 +114,8 @@ bool BodyMotion::kick(const BodySense& sense, const Request& request) {
         // A kick starts from quiet standing, to which stand_or_walk() brings the robot first. Begun
         // while the body still rocks from the last step, a quarter of the kicks end in a fall.
         if (wish == nullptr || !in_stance_ || state_.activity != Activity::Standing) return false;
-        if (time_ - stood_since_ < config_.kick_settle_s) return false;
+        const double settle = wish->hurried ? config_.kick_hurry_s : config_.kick_settle_s;
+        if (time_ - stood_since_ < settle) return false;
         if (!kick::kick_possible(config_.kick, *wish)) return false;
         kick_.start(*wish, stance());
         state_.activity = Activity::Kicking;

@@ -32,6 +32,7 @@ class BodyMotion {
 
     const State& state() const { return state_; }
     const Posture& posture() const { return posture_.posture(); }
+    const kick::Config& kick_config() const { return config_.kick; }  ///< of this type of robot
 
   private:
     void choose(const BodySense& sense, const Request& request);

@@ -63,6 +63,12 @@ Stage::Stage(const spec::DrillSpec& spec, std::uint64_t seed,
                                              patience_);
     // The trainer joins before there is an agent: from the first cycle on it is waited for.
     if (syncs_) trainer_->send("(syn)");
+    // In the play left by the run before, a robot would begin before it has been placed.
+    if (!own_server_) {
+        command(wire::PlayModeCommand{"BeforeKickOff"});
+        trainer_->send(commands_);
+        commands_.clear();
+    }
     start_agent(spec, seed, agent_settings);
 }
 

@@ -1,30 +1,37 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A robot in the server's physics that follows one motion engine at a time, without a walk.
+// A robot in the server's physics that follows one motion engine at a time, without a walk; limbs that
+// reach through its own body are frozen as the server does it.
 #pragma once
 
 #include "agent/motion/joint_control.h"
 #include "agent/motion/posture.h"
 #include "agent/motion/walk/walk_engine.h"
 #include "contract/body_rig.h"
+#include "server/effectors/self_collision.h"
 
 namespace k3d::contract {
 
 /// The stance of the walk, in which motions begin and end.
-inline nao::JointArray walk_stance() {
+inline nao::JointArray walk_stance(int type = 0) {
     const agent::motion::walk::Config config;
     agent::motion::JointTargets targets;
-    agent::motion::walk::WalkEngine(nao::model(0), config).stance(targets);
+    agent::motion::walk::WalkEngine(nao::model(type), config).stance(targets);
     return targets.angle;
 }
 
 class EngineRig {
   public:
-    EngineRig() : control_(rig.model()) { targets.angle = rig.sense().joints; }
+    explicit EngineRig(int type = 0) : rig(type), control_(rig.model()) { targets.angle = rig.sense().joints; }
 
     /// One cycle towards targets.
     void advance() {
         control_.step(rig.sense().joints, targets, rates_);
-        rig.advance(rates_);
+        nao::JointArray obeyed = rates_;
+        for (const nao::JointDef& joint : rig.model().joints) {
+            if (self_collision_.frozen(joint.id)) obeyed[nao::index(joint.id)] = 0.0;
+        }
+        rig.advance(obeyed);
+        if (self_collision_.judge(rig.robot(), rig.time())) ++times_frozen_;
         posture_.update(rig.sense());
     }
 
@@ -54,6 +61,7 @@ class EngineRig {
     }
 
     const agent::motion::Posture& posture() const { return posture_.posture(); }
+    int times_frozen() const { return times_frozen_; }  ///< cycles in which limbs were frozen anew
 
     BodyRig rig;
     agent::motion::JointTargets targets;
@@ -61,6 +69,8 @@ class EngineRig {
   private:
     agent::motion::PostureFilter posture_;
     agent::motion::JointControl control_;
+    server::effectors::SelfCollision self_collision_;
+    int times_frozen_ = 0;
     nao::JointArray rates_{};
 };
 

@@ -18,14 +18,14 @@ using agent::getup::GetUp;
 using agent::getup::Lying;
 using agent::getup::lying_on;
 
-/// Topples a standing robot: the ankles lean it over, the other joints go anywhere near the stand.
+/// Topples a standing robot: the ankles lean it over, the other joints go anywhere near the stand (rad).
 /// `towards` 0 = forward, pi/2 = to its left. False if it stayed up.
-bool topple(EngineRig& r, double towards, RandomStream& random) {
+bool topple(EngineRig& r, double towards, RandomStream& random, double limbs_sd = 0.25) {
     using enum nao::JointId;
-    const nao::JointArray stand = walk_stance();
+    const nao::JointArray stand = walk_stance(r.rig.model().type);
     r.take(stand, 0.5, 0.2);
     nao::JointArray pose = stand;
-    for (double& angle : pose) angle += random.normal(0.0, 0.25);
+    for (double& angle : pose) angle += random.normal(0.0, limbs_sd);
     const double pitch = -0.75 * std::cos(towards);
     const double roll = 0.6 * std::sin(towards);
     for (const auto id : {RAnklePitch, LAnklePitch}) pose[nao::index(id)] += -pitch;
@@ -42,10 +42,11 @@ bool topple(EngineRig& r, double towards, RandomStream& random) {
 
 /// Up within 5 s, and a second later still standing in the stand.
 bool gets_up(EngineRig& r) {
-    GetUp get_up{Config{}};
-    get_up.start(walk_stance());
+    const int type = r.rig.model().type;
+    GetUp get_up{Config{}, type};
+    get_up.start(walk_stance(type));
     if (r.run(get_up, 5.0) >= 5.0) return false;
-    r.take(walk_stance(), 0.0, 1.0);
+    r.take(walk_stance(type), 0.0, 1.0);
     return r.rig.tilt() < radians(15.0) && r.rig.height() > 0.3;
 }
 
@@ -68,6 +69,21 @@ TEST(GetUpContract, StandsAgainAfterFallsToEverySide) {
     EXPECT_GT(seen[static_cast<std::size_t>(Lying::OnLeft)], 1);
     EXPECT_GE(up, falls - 1) << "of " << falls;
 }
+
+class EachType : public testing::TestWithParam<int> {};
+
+TEST_P(EachType, StandsAgainAfterAStiffFallAndNoLimbFreezes) {
+    RandomStream random(2, "get_up_test", "types");
+    for (int n = 0; n < 8; ++n) {
+        EngineRig r(GetParam());
+        ASSERT_TRUE(topple(r, n % 2 == 0 ? 0.0 : kPi, random, 0.03)) << n;
+        const int frozen_before = r.times_frozen();
+        EXPECT_TRUE(gets_up(r)) << n;
+        EXPECT_EQ(r.times_frozen(), frozen_before) << n;
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(GetUpContract, EachType, testing::Range(0, 5));
 
 TEST(GetUpContract, ComesToTheStandWhenItHasNotFallen) {
     EngineRig r;

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Parameters of getting up: two keyframe sequences, the roll from the side, times.
+// Parameters of getting up: two keyframe sequences for each type of robot, the roll from the side, times.
 #pragma once
 
+#include <array>
+#include <string_view>
 #include <vector>
 
 #include "common/config/fields.h"
+#include "common/nao/model.h"
 
 namespace k3d::agent::getup {
 
@@ -37,9 +40,19 @@ struct Sequence {
     }
 };
 
-struct Config {
+/// From either side.
+struct Sequences {
     Sequence back;
     Sequence front;
+
+    void describe(config::Fields& f) {
+        f.section("back", back);
+        f.section("front", front);
+    }
+};
+
+struct Config {
+    std::array<Sequences, nao::kTypeCount> type;  ///< by type of robot
     double tuck_s = 0.3;
     double rest_rate = 0.8;
     double rest_limit_s = 0.8;
@@ -69,8 +82,9 @@ struct Config {
                  "turning slower than this counts as standing quietly");
         f.number("retry_slower", retry_slower, {0.5, 2.0}, "",
                  "each further try plays its keyframes slower by this factor");
-        f.section("back", back);
-        f.section("front", front);
+        constexpr std::array<std::string_view, nao::kTypeCount> kSections{"type_0", "type_1", "type_2",
+                                                                          "type_3", "type_4"};
+        for (std::size_t n = 0; n < type.size(); ++n) f.section(kSections[n], type[n]);
     }
 };
 

@@ -101,12 +101,12 @@ void GetUp::act_on(Lying lying) {
     switch (lying) {
         case Lying::Upright:
             begin(Phase::Sequence);
-            frames_.push_back({config_.back.stand_s, stand_});
+            frames_.push_back({sequences_.back.stand_s, stand_});
             break;
         case Lying::OnBack:
         case Lying::OnFront:
             begin(Phase::Sequence);
-            add_sequence(lying == Lying::OnBack ? config_.back : config_.front);
+            add_sequence(lying == Lying::OnBack ? sequences_.back : sequences_.front);
             break;
         case Lying::OnRight:
         case Lying::OnLeft: {

@@ -22,7 +22,9 @@ Lying lying_on(const Vec3& up);
 
 class GetUp {
   public:
-    explicit GetUp(const Config& config) : config_(config) {}
+    /// For a robot of `type`, 0 to 4.
+    GetUp(const Config& config, int type)
+        : config_(config), sequences_(config.type[static_cast<std::size_t>(type)]) {}
 
     /// Begins from any pose; `stand` is the pose to end in.
     void start(const nao::JointArray& stand);
@@ -47,6 +49,7 @@ class GetUp {
     bool lies_still(const motion::Posture& posture);
 
     Config config_;
+    Sequences sequences_;  ///< of this type
     Phase phase_ = Phase::Tuck;
     std::vector<Keyframe> frames_;  ///< still to be played in this phase, the running one first
     int cycle_ = 0;                 ///< of the running keyframe, or of the phase if it has none

@@ -23,6 +23,7 @@ constexpr int kFramesUntilSeated = 250;
 struct Options {
     std::string host = "127.0.0.1";
     std::uint16_t port = 3100;
+    std::string socket;  ///< Unix-domain; empty: host and port
     k3d::agent::Seat seat{"Keepers", 0};
     std::string telemetry;
     k3d::config::CommandLine line;
@@ -52,6 +53,8 @@ void add_flags(CLI::App& app, Options& options) {
     app.add_option("--host", options.host, "server (default 127.0.0.1)");
     app.add_option("--port", options.port, "its agent port (default 3100)")
         ->check(CLI::Range(1, 65535));
+    app.add_option("--socket", options.socket,
+                   "the server's Unix-domain socket, in place of host and port");
     app.add_option("--unum", options.seat.unum, "number 1-11, 0 = any free one (default)")
         ->check(CLI::Range(0, 11));
     app.add_option_function<std::string>(
@@ -90,7 +93,9 @@ bool shake_hands(k3d::net::Client& client, const Options& options, const k3d::ag
 int play(const Options& options, const k3d::agent::Config& config) {
     k3d::agent::Mind mind(config, options.seat, options.telemetry);
     const auto patience = std::chrono::milliseconds(static_cast<long>(config.patience * 1000.0));
-    k3d::net::Client client(options.host, options.port, patience);
+    k3d::net::Client client = options.socket.empty()
+                                  ? k3d::net::Client(options.host, options.port, patience)
+                                  : k3d::net::Client(k3d::net::UnixPath{options.socket}, patience);
     if (!shake_hands(client, options, config, patience)) return 0;
 
     std::string_view payload;

@@ -19,6 +19,7 @@ namespace k3d::server {
 struct NetworkConfig {
     std::string listen = "127.0.0.1";
     int agent_port = 3100;
+    std::string agent_socket;
     int server_port = 3200;
     int http_port = -1;
     std::string trainers = "all";
@@ -34,6 +35,9 @@ struct NetworkConfig {
     void describe(config::Fields& f) {
         f.text("listen", listen, {}, "address of all ports");
         f.integer("agent_port", agent_port, {0, 65535}, "", "for agents; 0 = any free port");
+        f.text("agent_socket", agent_socket, {},
+               "file of a Unix-domain socket on which agents of this machine may connect, too; it takes less "
+               "time than TCP");
         f.integer("server_port", server_port, {0, 65535}, "", "for monitors and trainers; 0 = any free port");
         f.integer("http_port", http_port, {-1, 65535}, "", "for the page; 0 = any, -1 = no page");
         f.text("trainers", trainers, {"all", "loopback", "off"},

@@ -54,6 +54,7 @@ void Simulation::read_commands() {
 
 void Simulation::await_inputs() {
     pacer_.wait_for_clock(loop_);
+    if (pacer_.waits_for_agents()) doze();
     if (!pacer_.waits_for_agents() ||
         pacer_.wait_for_agents(loop_, [this] { return everybody_synced(); })) {
         return;
@@ -62,6 +63,17 @@ void Simulation::await_inputs() {
         if (agent->waited_for() && !agent->synced) lose(*agent, "hung");
     }
     if (serves_monitors()) monitors_.close_hung();
+}
+
+/// Agents get their frames in order, so the last one's reply mostly is the last: waking once for it costs a
+/// fifth of waking for each.
+void Simulation::doze() {
+    constexpr std::chrono::milliseconds kLongest{5};
+    for (auto agent = agents_.rbegin(); agent != agents_.rend(); ++agent) {
+        if (!(*agent)->waited_for() || (*agent)->synced) continue;
+        (*agent)->connection->doze(kLongest);
+        return;
+    }
 }
 
 void Simulation::send_percepts() {

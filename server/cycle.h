@@ -74,6 +74,7 @@ class Simulation {
     void run_cycle();
     void read_commands();
     void await_inputs();
+    void doze();
     void replay_inputs();
     void begin_input_cycle();
     void send_percepts();
@@ -126,7 +127,7 @@ class Simulation {
     session::Teams teams_;
     session::Monitors monitors_;
     int next_connection_ = 1;  ///< number of the next connection to either port
-    std::optional<net::Listener> agent_listener_, monitor_listener_;  ///< once ports are open
+    std::optional<net::Listener> agent_listener_, local_listener_, monitor_listener_;  ///< once ports are open
     monitor::SceneGraph graph_;
     monitor::Frames frames_;
     std::optional<recording::MonitorLog> monitor_log_;

@@ -70,13 +70,18 @@ Simulation::Simulation(const Config& config, const Files& files)
 
 std::string Simulation::open_ports() {
     const NetworkConfig& network = config_.network;
-    agent_listener_.emplace(
-        loop_, network.listen, port(network.agent_port),
-        [this](std::unique_ptr<net::Connection> accepted) { accept_agent(std::move(accepted)); },
-        network.agent_limits(),
-        [this](const std::string& peer, const std::string& why) {
-            notices_.say(spdlog::level::warn, "agent at {} refused: {}", peer, why);
-        });
+    const auto accept = [this](std::unique_ptr<net::Connection> accepted) {
+        accept_agent(std::move(accepted));
+    };
+    const auto refuse = [this](const std::string& peer, const std::string& why) {
+        notices_.say(spdlog::level::warn, "agent at {} refused: {}", peer, why);
+    };
+    agent_listener_.emplace(loop_, network.listen, port(network.agent_port), accept,
+                            network.agent_limits(), refuse);
+    if (!network.agent_socket.empty()) {
+        local_listener_.emplace(loop_, net::UnixPath{network.agent_socket}, accept,
+                                network.agent_limits(), refuse);
+    }
     monitor_listener_.emplace(
         loop_, network.listen, port(network.server_port),
         [this](std::unique_ptr<net::Connection> accepted) { accept_monitor(std::move(accepted)); },
@@ -162,6 +167,7 @@ void Simulation::await_lobby_inputs() {
 
 void Simulation::begin_input_cycle() {
     if (agent_listener_) agent_listener_->begin_cycle();
+    if (local_listener_) local_listener_->begin_cycle();
     if (monitor_listener_) monitor_listener_->begin_cycle();
 }
 

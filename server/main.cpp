@@ -31,6 +31,7 @@ struct Options {
 /// Flags that are short names of configuration paths.
 const std::vector<k3d::config::ShortFlag> kFlags{
     {"--agent-port", "network.agent_port", "port for agents, 0 = any (default 3100)"},
+    {"--agent-socket", "network.agent_socket", "Unix-domain socket for agents of this machine, too"},
     {"--server-port", "network.server_port", "port for monitors, 0 = any (default 3200)"},
     {"--trainers", "network.trainers", "who may command there: all, loopback or off"},
     {"--http", "network.http_port", "port of the page, 0 = any (default: no page)"},

@@ -26,6 +26,11 @@ Estimate about(const Pose2& pose, double position_sd, double yaw_sd) {
     return {pose, Vec3(squared(position_sd), squared(position_sd), squared(yaw_sd)).asDiagonal()};
 }
 
+/// The larger of two axes' deviations.
+double deviation(const Estimate& estimate, int a, int b) {
+    return std::sqrt(std::max(estimate.covariance(a, a), estimate.covariance(b, b)));
+}
+
 }  // namespace
 
 Localiser::Localiser(const LocalisationConfig& config, std::uint64_t seed)
@@ -85,13 +90,7 @@ void Localiser::predict(const Pose2& odometry, bool upright, double dt) {
 }
 
 void Localiser::correct(const perception::View& view) {
-    particles_.move(since_view_, std::sqrt(position_variance_), std::sqrt(yaw_variance_));
-    since_view_ = Pose2{};
-    position_variance_ = yaw_variance_ = 0.0;
-    const SensedPoses sensed = sensed_poses(view, landmarks_);
-    const Cluster cluster = particles_.weigh(view, landmarks_, sensed);
     if (view.landmarks.empty() && view.lines.empty()) return;
-
     const bool sure = found_ && estimate_.covariance(2, 2) < squared(kSureYaw);
     if (sure) {
         const Fit fit = refine(view, landmarks_, estimate_);
@@ -101,6 +100,17 @@ void Localiser::correct(const perception::View& view) {
             return;
         }
     }
+    // Particles cost ten times the rest, and nobody asks them while the estimate explains the views:
+    // they start where it is when it ceases to.
+    if (found_ && unexplained_ == 0) {
+        particles_.gather(estimate_.pose, deviation(estimate_, 0, 1), deviation(estimate_, 2, 2));
+    } else {
+        particles_.move(since_view_, std::sqrt(position_variance_), std::sqrt(yaw_variance_));
+    }
+    since_view_ = Pose2{};
+    position_variance_ = yaw_variance_ = 0.0;
+    const SensedPoses sensed = sensed_poses(view, landmarks_);
+    const Cluster cluster = particles_.weigh(view, landmarks_, sensed);
     ++unexplained_;
     if (sure && unexplained_ < config_.lost_after) return;
     if (seek(view, sensed, cluster)) {

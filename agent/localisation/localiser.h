@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Where the robot is: particle filter for the rough answer, refinement for the exact one.
+// Where the robot is: refinement of the estimate while it explains what is seen, a particle filter
+// for the rough answer from when it does not until one does again.
 //
 // Frame: team frame, so the side must be known. Errors with the reference's vision noise: median
 // below 0.05 m and 1 degree (tests/agent/localisation). Deterministic: seed and inputs fix it.

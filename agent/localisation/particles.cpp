@@ -73,7 +73,21 @@ void Particles::spread_over_field() {
         particle.yaw = random_.uniform(-kPi, kPi);
         particle.weight = 1.0;
     }
-    fit_slow_ = 1.0;  // a fit not yet reached: sensed poses come in at once
+    forget_fit();
+}
+
+void Particles::gather(const Pose2& pose, double position_sd, double yaw_sd) {
+    const double position = position_sd + kSensedPositionSd;
+    const double yaw = yaw_sd + kSensedYawSd;
+    for (Particle& particle : particles_) {
+        particle = {pose.position + Vec2(jitter(position), jitter(position)), pose.yaw + jitter(yaw), 1.0};
+    }
+    forget_fit();
+}
+
+/// As after fits that were good and are not any more: sensed poses come in at once.
+void Particles::forget_fit() {
+    fit_slow_ = 1.0;
     fit_fast_ = 0.0;
 }
 

@@ -27,6 +27,8 @@ class Particles {
     Particles(const LocalisationConfig& config, RandomStream random);
 
     void spread_over_field();
+    /// About a pose believed so far, with these deviations and some more.
+    void gather(const Pose2& pose, double position_sd, double yaw_sd);
     /// Moves all by `step`, given in the robot's frame, with the given deviations added.
     void move(const Pose2& step, double position_sd, double yaw_sd);
     /// Weighs by one view, draws anew, mixes in sensed poses. Returns the best cluster before that.
@@ -57,6 +59,7 @@ class Particles {
     void prepare(const perception::View& view, const Landmarks& landmarks);
     double cost(const Particle& particle) const;
     Cluster best_cluster() const;
+    void forget_fit();
     void resample(const SensedPoses& sensed, double injected_share);
     double jitter(double deviation);
 

@@ -23,12 +23,14 @@ constexpr double degrees(double radians) { return radians * (180.0 / kPi); }
 
 /// The same angle in (-pi, pi].
 inline double wrap_angle(double angle) {
+    if (angle > -kPi && angle <= kPi) return angle;  // mostly; the rest is a loop of subtractions
     const double wrapped = std::remainder(angle, 2.0 * kPi);
     return wrapped <= -kPi ? wrapped + 2.0 * kPi : wrapped;
 }
 
 /// The same angle in (-180, 180].
 inline double wrap_degrees(double angle_deg) {
+    if (angle_deg > -180.0 && angle_deg <= 180.0) return angle_deg;
     const double wrapped = std::remainder(angle_deg, 360.0);
     return wrapped <= -180.0 ? wrapped + 360.0 : wrapped;
 }

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <poll.h>
+#include <sys/socket.h>
 
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <utility>
+#include <vector>
 
-#include "common/net/asio.h"
+#include "common/net/connection.h"
 #include "common/net/net.h"
 #include "common/wire/frame.h"
 
@@ -28,7 +31,7 @@ int remaining_ms(Clock::time_point deadline) {
 }
 
 /// Waits until the socket is ready for `events`; false at the deadline.
-bool wait_for(tcp::socket& socket, short events, Clock::time_point deadline) {
+bool wait_for(Socket& socket, short events, Clock::time_point deadline) {
     for (;;) {
         pollfd entry{socket.native_handle(), events, 0};
         const int ready = ::poll(&entry, 1, remaining_ms(deadline));
@@ -42,12 +45,34 @@ bool wait_for(tcp::socket& socket, short events, Clock::time_point deadline) {
 
 struct Client::Impl {
     Impl(const std::string& host, std::uint16_t port, milliseconds patience)
-        : place(host + ":" + std::to_string(port)), reader(wire::kMaxPayloadFromServer) {
+        : Impl(host + ":" + std::to_string(port)) {
+        connect_within(patience, [&](error_code& fault) {
+            std::vector<Endpoint> endpoints;
+            for (const auto& entry : tcp::resolver(io).resolve(host, std::to_string(port), fault)) {
+                endpoints.emplace_back(entry.endpoint());
+            }
+            return endpoints;
+        });
+    }
+
+    Impl(const UnixPath& path, milliseconds patience) : Impl("unix:" + path.name) {
+        local = true;
+        if (path.name.empty() || path.name.size() > kMaxUnixPath) {
+            throw NetError("cannot connect to " + place + ": a name of " +
+                           std::to_string(path.name.size()) + " bytes, limit " +
+                           std::to_string(kMaxUnixPath));
+        }
+        const Endpoint endpoint = asio::local::stream_protocol::endpoint(path.name);
+        connect_within(patience, [&](error_code&) { return std::vector{endpoint}; });
+    }
+
+    template <class Resolve>
+    void connect_within(milliseconds patience, const Resolve& resolve) {
         const auto deadline = Clock::now() + patience;
         for (;;) {
             error_code fault;
-            const auto endpoints = tcp::resolver(io).resolve(host, std::to_string(port), fault);
-            if (!fault && connect(endpoints, deadline, fault)) return;
+            const std::vector<Endpoint> endpoints = resolve(fault);
+            if (!fault && connect(endpoints, deadline, fault)) return block();
             if (remaining_ms(deadline) == 0) {
                 throw NetError("cannot connect to " + place + ": " + fault.message());
             }
@@ -56,15 +81,15 @@ struct Client::Impl {
         }
     }
 
-    bool connect(const tcp::resolver::results_type& endpoints, Clock::time_point deadline,
+    bool connect(const std::vector<Endpoint>& endpoints, Clock::time_point deadline,
                  error_code& fault) {
-        for (const auto& entry : endpoints) {
+        for (const Endpoint& endpoint : endpoints) {
             socket.close(fault);
-            socket.open(entry.endpoint().protocol(), fault);
+            socket.open(endpoint.protocol(), fault);
             if (!fault) socket.non_blocking(true, fault);
-            if (!fault) socket.set_option(tcp::no_delay(true), fault);
+            if (!fault && is_tcp(endpoint)) socket.set_option(tcp::no_delay(true), fault);
             if (fault) continue;
-            socket.connect(entry.endpoint(), fault);
+            socket.connect(endpoint, fault);
             if (fault == asio::error::in_progress || fault == asio::error::would_block) {
                 fault = asio::error::timed_out;
                 if (wait_for(socket, POLLOUT, deadline)) fault = pending_error();
@@ -86,29 +111,48 @@ struct Client::Impl {
 
     [[noreturn]] void fail(const std::string& what) { throw NetError(place + ": " + what); }
 
+    /// From now on calls block for as long as their timeouts: one system call a frame, no poll before it.
+    void block() {
+        error_code fault;
+        socket.non_blocking(false, fault);
+        if (!fault) socket.native_non_blocking(false, fault);
+        if (fault) fail(fault.message());
+        set_timeout(SO_SNDTIMEO, kSendPatience);
+    }
+
+    void set_timeout(int option, milliseconds longest) {
+        const auto ms = std::max<long long>(longest.count(), 1);  // 0 would be for ever
+        const timeval time{ms / 1000, 1000 * (ms % 1000)};
+        if (::setsockopt(socket.native_handle(), SOL_SOCKET, option, &time, sizeof time) != 0) {
+            fail(std::strerror(errno));
+        }
+    }
+
     void send(std::string_view payload) {
         out.clear();
         wire::append_frame(payload, out);
-        const auto deadline = Clock::now() + kSendPatience;
         std::string_view rest = out;
         while (!rest.empty()) {
-            error_code fault;
-            const std::size_t sent = socket.write_some(asio::buffer(rest), fault);
-            if (fault == asio::error::would_block) {
-                if (!wait_for(socket, POLLOUT, deadline)) {
-                    fail("the server has taken no data for " +
-                         std::to_string(kSendPatience.count()) + " ms");
-                }
-            } else if (fault) {
-                fail(fault.message());
+            const ssize_t sent =
+                ::send(socket.native_handle(), rest.data(), rest.size(), MSG_NOSIGNAL);
+            if (sent >= 0) {
+                rest.remove_prefix(static_cast<std::size_t>(sent));
+            } else if (errno == EAGAIN || errno == EWOULDBLOCK) {
+                fail("the server has taken no data for " + std::to_string(kSendPatience.count()) +
+                     " ms");
+            } else if (errno == EPIPE && local) {
+                return;  // what the server sent before it closed can still be received
+            } else if (errno != EINTR) {
+                fail(std::strerror(errno));
             }
-            rest.remove_prefix(sent);
         }
     }
 
     bool receive(std::string_view& payload, milliseconds patience) {
+        if (patience != patience_set) set_timeout(SO_RCVTIMEO, patience);
+        patience_set = patience;
         const auto deadline = Clock::now() + patience;
-        for (;;) {
+        for (bool read = false;; read = true) {
             switch (reader.next(payload)) {
                 case wire::FrameReader::Status::Frame:
                     return true;
@@ -118,36 +162,49 @@ struct Client::Impl {
                 case wire::FrameReader::Status::NeedMore:
                     break;
             }
-            if (!wait_for(socket, POLLIN, deadline)) {
-                fail("no frame for " + std::to_string(patience.count()) + " ms");
-            }
-            if (!read_some()) return false;
+            if (read && Clock::now() >= deadline) no_frame_for(patience);
+            if (!read_some(patience)) return false;
         }
     }
 
-    /// False at the stream's orderly end.
-    bool read_some() {
-        error_code fault;
+    [[noreturn]] void no_frame_for(milliseconds patience) {
+        fail("no frame for " + std::to_string(patience.count()) + " ms");
+    }
+
+    /// False at the stream's orderly end. Of a Unix-domain socket that is also what it says when the server
+    /// closed without reading our last frame.
+    bool read_some(milliseconds patience) {
         const std::span<char> room = reader.space();
-        const std::size_t count = socket.read_some(asio::buffer(room.data(), room.size()), fault);
-        if (fault == asio::error::eof) {
+        const ssize_t count = ::recv(socket.native_handle(), room.data(), room.size(), 0);
+        if (count > 0) {
+            reader.received(static_cast<std::size_t>(count));
+            return true;
+        }
+        if (count == 0 || (errno == ECONNRESET && local)) {
             if (reader.buffered() > 0) fail("connection closed in the middle of a frame");
             return false;
         }
-        if (fault && fault != asio::error::would_block) fail(fault.message());
-        reader.received(count);
+        if (errno == EAGAIN || errno == EWOULDBLOCK) no_frame_for(patience);
+        if (errno != EINTR) fail(std::strerror(errno));
         return true;
     }
 
     asio::io_context io{1};
-    tcp::socket socket{io};
+    Socket socket{io};
     std::string place;
-    wire::FrameReader reader;
+    wire::FrameReader reader{wire::kMaxPayloadFromServer};
     std::string out;
+    bool local = false;             ///< a Unix-domain socket
+    milliseconds patience_set{-1};  ///< as the kernel knows it
+
+  private:
+    explicit Impl(std::string where) : place(std::move(where)) {}
 };
 
 Client::Client(const std::string& host, std::uint16_t port, milliseconds patience)
     : impl_(std::make_unique<Impl>(host, port, patience)) {}
+Client::Client(const UnixPath& path, milliseconds patience)
+    : impl_(std::make_unique<Impl>(path, patience)) {}
 Client::~Client() = default;
 
 void Client::send(std::string_view payload) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "common/net/connection.h"
 
+#include <poll.h>
+
 #include <algorithm>
 #include <array>
 
@@ -13,14 +15,16 @@ namespace {
 namespace asio = boost::asio;
 using asio::ip::tcp;
 using boost::system::error_code;
+using std::chrono::milliseconds;
 
 /// Socket and buffers. Handlers hold it, so it outlives the Connection until the last has run.
 class Stream : public std::enable_shared_from_this<Stream> {
   public:
-    Stream(tcp::socket socket, std::shared_ptr<Shared> shared)
-        : socket_(std::move(socket)), shared_(std::move(shared)), reader_(limits().frame) {
-        error_code ignored;
-        peer_ = text_of(socket_.remote_endpoint(ignored));
+    Stream(Socket socket, std::string peer, std::shared_ptr<Shared> shared)
+        : socket_(std::move(socket)),
+          shared_(std::move(shared)),
+          reader_(limits().frame),
+          peer_(std::move(peer)) {
         ++shared_->open;
     }
     ~Stream() { release(); }
@@ -30,7 +34,9 @@ class Stream : public std::enable_shared_from_this<Stream> {
     void start() {
         error_code fault;
         socket_.non_blocking(true, fault);
-        if (!fault) socket_.set_option(tcp::no_delay(true), fault);
+        if (!fault && is_tcp(socket_.local_endpoint(fault))) {
+            socket_.set_option(tcp::no_delay(true), fault);
+        }
         if (fault) return close(fault.message());
         await_input();
     }
@@ -72,13 +78,19 @@ class Stream : public std::enable_shared_from_this<Stream> {
 
     bool ready() { return !closed_ && flush_tail(); }
 
+    void doze(milliseconds longest) {
+        if (closed_ || full() || reader_.holds_frame()) return;
+        pollfd entry{socket_.native_handle(), POLLIN, 0};
+        ::poll(&entry, 1, static_cast<int>(longest.count()));  // why it returns is the loop's to see
+    }
+
     void close(std::string_view reason) {
         if (closed_) return;
         closed_ = true;
         reason_ = reason;
         if (rejected_ || !reader_.holds_frame()) release();
         error_code ignored;
-        socket_.shutdown(tcp::socket::shutdown_both, ignored);
+        socket_.shutdown(Socket::shutdown_both, ignored);
         socket_.close(ignored);
     }
 
@@ -137,7 +149,7 @@ class Stream : public std::enable_shared_from_this<Stream> {
     void await_input() {
         if (closed_ || full()) return;
         awaiting_input_ = true;
-        socket_.async_wait(tcp::socket::wait_read, [self = shared_from_this()](error_code fault) {
+        socket_.async_wait(Socket::wait_read, [self = shared_from_this()](error_code fault) {
             self->awaiting_input_ = false;
             if (fault) return self->fail(fault);
             self->read_available();
@@ -192,14 +204,14 @@ class Stream : public std::enable_shared_from_this<Stream> {
     void await_output() {
         if (closed_ || awaiting_output_) return;
         awaiting_output_ = true;
-        socket_.async_wait(tcp::socket::wait_write, [self = shared_from_this()](error_code fault) {
+        socket_.async_wait(Socket::wait_write, [self = shared_from_this()](error_code fault) {
             self->awaiting_output_ = false;
             if (fault) return self->fail(fault);
             if (!self->closed_ && !self->flush_tail()) self->await_output();
         });
     }
 
-    tcp::socket socket_;
+    Socket socket_;
     std::shared_ptr<Shared> shared_;
     wire::FrameReader reader_;
     std::uint64_t cycle_ = 0;  // that the two counts are of
@@ -227,6 +239,7 @@ class StreamConnection final : public Connection {
     bool next_frame(std::string_view& payload) override { return stream_->next_frame(payload); }
     bool send(std::string_view payload) override { return stream_->send(payload); }
     bool ready() override { return stream_->ready(); }
+    void doze(milliseconds longest) override { stream_->doze(longest); }
     bool closed() const override { return stream_->closed(); }
     bool spent() const override { return stream_->spent(); }
     bool broke_limit() const override { return stream_->broke_limit(); }
@@ -240,14 +253,14 @@ class StreamConnection final : public Connection {
 
 }  // namespace
 
-std::string text_of(const tcp::endpoint& endpoint) {
-    const std::string address = endpoint.address().to_string();
-    const std::string host = endpoint.address().is_v6() ? "[" + address + "]" : address;
-    return host + ":" + std::to_string(endpoint.port());
+bool is_tcp(const Endpoint& endpoint) {
+    const int family = endpoint.data()->sa_family;
+    return family == AF_INET || family == AF_INET6;
 }
 
-std::unique_ptr<Connection> make_connection(tcp::socket socket, std::shared_ptr<Shared> shared) {
-    auto stream = std::make_shared<Stream>(std::move(socket), std::move(shared));
+std::unique_ptr<Connection> make_connection(Socket socket, std::string peer,
+                                            std::shared_ptr<Shared> shared) {
+    auto stream = std::make_shared<Stream>(std::move(socket), std::move(peer), std::move(shared));
     stream->start();
     return std::make_unique<StreamConnection>(std::move(stream));
 }

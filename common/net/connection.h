@@ -16,11 +16,14 @@ struct Shared {
     std::uint64_t cycle = 0;  ///< 0: input is not counted
 };
 
+/// Stream sockets of either kind, TCP or Unix.
+using Socket = boost::asio::generic::stream_protocol::socket;
+using Endpoint = boost::asio::generic::stream_protocol::endpoint;
+
 /// Takes over a connected socket and starts reading.
-std::unique_ptr<Connection> make_connection(boost::asio::ip::tcp::socket socket,
+std::unique_ptr<Connection> make_connection(Socket socket, std::string peer,
                                             std::shared_ptr<Shared> shared);
 
-/// "127.0.0.1:51234", "[::1]:51234"
-std::string text_of(const boost::asio::ip::tcp::endpoint& endpoint);
+bool is_tcp(const Endpoint& endpoint);
 
 }  // namespace k3d::net

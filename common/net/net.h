@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Sockets of the product: framed TCP connections driven by one single-threaded loop.
+// Sockets of the product: framed connections over TCP, or over Unix-domain sockets between processes of one
+// machine, driven by one single-threaded loop.
 // The only folder (with common/http) that includes Asio; nothing of Asio shows in this header.
 #pragma once
 
@@ -54,7 +55,7 @@ class Loop {
     std::unique_ptr<Impl> impl_;
 };
 
-/// One framed TCP connection. Reading goes on in the background of the loop up to Limits::unread
+/// One framed connection. Reading goes on in the background of the loop up to Limits::unread
 /// bytes, then waits for the owner (back-pressure on the peer).
 class Connection {
   public:
@@ -70,13 +71,22 @@ class Connection {
     /// True if the connection is open and nothing of an earlier frame is unsent: whoever composes
     /// frames for watchers need not compose one that send() would drop.
     virtual bool ready() = 0;
+    /// Sleeps until this peer has sent something or has gone, or for `longest`; all others wait. Who waits
+    /// for many peers wakes once, not for each, if it dozes on the one that answers last.
+    virtual void doze(std::chrono::milliseconds /*longest*/) {}
     virtual bool closed() const = 0;                  ///< by the peer, by an error or by close()
     virtual bool spent() const = 0;  ///< closed, and next_frame() has nothing left
     virtual bool broke_limit() const = 0;  ///< why it was closed
     virtual const std::string& close_reason() const = 0;  ///< "peer closed", "frame of 4294967295 bytes announced, limit 65536", ...
-    virtual const std::string& peer() const = 0;      ///< "127.0.0.1:51234"
+    virtual const std::string& peer() const = 0;      ///< "127.0.0.1:51234" or "unix:PATH"
     virtual void close(std::string_view reason) = 0;
 };
+
+/// Where a Unix-domain socket is: a file name of at most kMaxUnixPath bytes.
+struct UnixPath {
+    std::string name;
+};
+inline constexpr std::size_t kMaxUnixPath = 107;
 
 /// Listens and hands over every accepted connection.
 class Listener {
@@ -88,8 +98,11 @@ class Listener {
     /// Port 0 takes any free one. Throws NetError, e.g. "cannot listen on 127.0.0.1:3100: Address already in use".
     Listener(Loop& loop, const std::string& address, std::uint16_t port, OnAccept on_accept,
              const Limits& limits = {}, OnRefuse on_refuse = {});
+    /// On a Unix-domain socket, a file that this listener makes and removes.
+    Listener(Loop& loop, const UnixPath& path, OnAccept on_accept, const Limits& limits = {},
+             OnRefuse on_refuse = {});
     ~Listener();
-    std::uint16_t port() const;
+    std::uint16_t port() const;  ///< of a TCP listener
     /// From here on every connection's input counts anew.
     void begin_cycle();
 
@@ -103,6 +116,7 @@ class Client {
   public:
     /// Retries until the deadline (the server may still be starting). Throws NetError.
     Client(const std::string& host, std::uint16_t port, std::chrono::milliseconds patience);
+    Client(const UnixPath& path, std::chrono::milliseconds patience);
     ~Client();
 
     void send(std::string_view payload);                       ///< throws NetError if closed

@@ -30,6 +30,9 @@ struct Spawn {
     std::vector<std::string> arguments;  ///< arguments[0] is the program (path, or looked up in PATH)
     std::string log_file;                ///< stderr (and stdout unless captured) goes here; empty: inherit
     bool capture_stdout = false;         ///< read by wait_ready()
+    /// Its waking up interrupts nobody (SCHED_BATCH), nor that of its children: of programs that answer each
+    /// other all the time, more get done per CPU second, and the single answer comes later.
+    bool batch = false;
 };
 
 class Child {

@@ -3,6 +3,7 @@
 
 #include <fcntl.h>
 #include <linux/close_range.h>
+#include <sched.h>
 #include <sys/prctl.h>
 #include <sys/syscall.h>
 #include <sys/wait.h>
@@ -41,8 +42,10 @@ void close_others_at_exec() {
 }
 
 /// In the child. Only calls that are safe after fork(); returns only if exec fails.
-void become(char* const* arguments, pid_t owner, int input, int output, int errors) {
+void become(char* const* arguments, pid_t owner, int input, int output, int errors, bool batch) {
     ::setpgid(0, 0);
+    const sched_param no_priority{};
+    if (batch) ::sched_setscheduler(0, SCHED_BATCH, &no_priority);
     ::prctl(PR_SET_PDEATHSIG, SIGKILL);
     if (::getppid() != owner) ::_exit(127);  // the owner died before the line above
     sigset_t none;
@@ -85,7 +88,7 @@ Started start(const Spawn& spawn) {
     if (started.pid == 0) {
         const int log = started.log.get();
         become(arguments.data(), owner, input.get(),
-               spawn.capture_stdout ? output.write.get() : log, log);
+               spawn.capture_stdout ? output.write.get() : log, log, spawn.batch);
         const int number = errno;
         [[maybe_unused]] const auto written = ::write(report.write.get(), &number, sizeof number);
         ::_exit(127);

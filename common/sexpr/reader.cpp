@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "common/sexpr/reader.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -9,11 +10,47 @@ namespace k3d::sexpr {
 
 namespace {
 
-bool is_blank(char c) {
-    return c == ' ' || c == '\t' || c == '\r' || c == '\n';
+enum class Kind : unsigned char { Atom, Blank, Open, Close };
+
+constexpr std::array<Kind, 256> kKinds = [] {
+    std::array<Kind, 256> kinds{};
+    for (const char blank : {' ', '\t', '\r', '\n'}) kinds[static_cast<unsigned char>(blank)] = Kind::Blank;
+    kinds['('] = Kind::Open;
+    kinds[')'] = Kind::Close;
+    return kinds;
+}();
+
+Kind kind_of(char c) {
+    return kKinds[static_cast<unsigned char>(c)];
 }
-bool ends_atom(char c) {
-    return c == '(' || c == ')' || is_blank(c);
+
+/// Numbers as the wire has them, `-12.34`: of up to 15 digits, digits and power of ten are exact doubles, and
+/// their quotient rounds as from_chars does. None for anything else.
+std::optional<double> short_number(std::string_view text) {
+    constexpr std::size_t kDigits = 15;
+    static constexpr std::array<double, kDigits + 1> kPowers{
+        1.0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15};
+    const char* p = text.data();
+    const char* const end = p + text.size();
+    const bool negative = p != end && *p == '-';
+    if (negative) ++p;
+    if (end - p > static_cast<std::ptrdiff_t>(kDigits)) return std::nullopt;
+    const auto take_digits = [&p, end](std::int64_t& value) {
+        const char* const begin = p;
+        for (; p != end && *p >= '0' && *p <= '9'; ++p) value = 10 * value + (*p - '0');
+        return static_cast<std::size_t>(p - begin);
+    };
+    std::int64_t digits = 0;
+    if (take_digits(digits) == 0) return std::nullopt;
+    std::size_t decimals = 0;
+    if (p != end && *p == '.') {
+        ++p;
+        decimals = take_digits(digits);
+        if (decimals == 0) return std::nullopt;
+    }
+    if (p != end) return std::nullopt;
+    const double value = static_cast<double>(digits) / kPowers[decimals];
+    return negative ? -value : value;
 }
 
 /// from_chars knows no leading plus, but printf("%+f") and people write it.
@@ -33,27 +70,26 @@ Error Document::parse(std::string_view text) {
     open[0] = {0, 0};
     std::size_t depth = 0;
     std::uint32_t last_whole = 0;  // last top-level expression that is complete
-    entries_.clear();
-    entries_.push_back({{}, 0, 0, true});
+    // As many as there may be at most: one needs a character, the next one another.
+    const std::size_t most = std::min(text.size(), kMaxNodes) + 1;
+    if (entries_.size() < most) entries_.resize(most);
+    Entry* const entries = entries_.data();
+    std::uint32_t count = 1;
+    entries[0] = {{}, 0, 0, true};
 
-    const auto add = [&](Entry entry) {
-        const auto index = static_cast<std::uint32_t>(entries_.size());
+    const auto add = [&](std::string_view atom, bool list) {
         Open& here = open[depth];
-        if (here.last != 0) {
-            entries_[here.last].next = index;
-        } else {
-            entries_[here.list].child = index;
-        }
-        here.last = index;
-        entries_.push_back(entry);
-        return index;
+        (here.last != 0 ? entries[here.last].next : entries[here.list].child) = count;
+        here.last = count;
+        entries[count] = {atom, 0, 0, list};
+        return count++;
     };
     const auto fail = [&](Error error) {
         // Only whole top-level expressions may be seen.
         if (last_whole != 0) {
-            entries_[last_whole].next = 0;
+            entries[last_whole].next = 0;
         } else {
-            entries_[0].child = 0;
+            entries[0].child = 0;
         }
         return error;
     };
@@ -61,23 +97,24 @@ Error Document::parse(std::string_view text) {
     const char* p = text.data();
     const char* const end = p + text.size();
     while (p != end) {
-        if (is_blank(*p)) {
+        const Kind kind = kind_of(*p);
+        if (kind == Kind::Blank) {
             ++p;
-        } else if (*p == ')') {
+        } else if (kind == Kind::Close) {
             if (depth == 0) return fail(Error::Unbalanced);
             if (--depth == 0) last_whole = open[0].last;
             ++p;
-        } else if (entries_.size() >= kMaxNodes) {
+        } else if (count >= kMaxNodes) {
             return fail(Error::TooManyNodes);
-        } else if (*p == '(') {
+        } else if (kind == Kind::Open) {
             if (depth == kMaxDepth) return fail(Error::TooDeep);
-            const std::uint32_t list = add({{}, 0, 0, true});
+            const std::uint32_t list = add({}, true);
             open[++depth] = {list, 0};
             ++p;
         } else {
             const char* const begin = p;
-            while (p != end && !ends_atom(*p)) ++p;
-            add({{begin, static_cast<std::size_t>(p - begin)}, 0, 0, false});
+            while (p != end && kind_of(*p) == Kind::Atom) ++p;
+            add({begin, static_cast<std::size_t>(p - begin)}, false);
             if (depth == 0) last_whole = open[0].last;
         }
     }
@@ -89,48 +126,10 @@ std::optional<Node> Document::first() const {
     return Node(this, entries_[0].child);
 }
 
-bool Node::is_atom() const {
-    return !document_->entries_[index_].list;
-}
-
-std::string_view Node::atom() const {
-    return document_->entries_[index_].text;
-}
-
-std::optional<Node> Node::first() const {
-    const std::uint32_t child = document_->entries_[index_].child;
-    if (child == 0) return std::nullopt;
-    return Node(document_, child);
-}
-
-std::optional<Node> Node::next() const {
-    const std::uint32_t next = document_->entries_[index_].next;
-    if (next == 0) return std::nullopt;
-    return Node(document_, next);
-}
-
 int Node::size() const {
     int count = 0;
     for (auto n = first(); n; n = n->next()) ++count;
     return count;
-}
-
-std::string_view Node::tag() const {
-    const auto head = first();
-    return head ? head->atom() : std::string_view{};
-}
-
-std::optional<Node> Node::at(int position) const {
-    auto n = first();
-    for (int i = 0; n && i < position; ++i) n = n->next();
-    return n;
-}
-
-std::optional<Node> Node::find(std::string_view tag) const {
-    for (auto n = first(); n; n = n->next()) {
-        if (n->is_list() && n->tag() == tag) return n;
-    }
-    return std::nullopt;
 }
 
 std::optional<double> Node::number() const {
@@ -141,6 +140,7 @@ std::optional<int> Node::integer() const {
 }
 
 std::optional<double> to_number(std::string_view text) {
+    if (const auto number = short_number(text)) return number;
     text = without_plus(text);
     double value = 0.0;
     const char* const end = text.data() + text.size();

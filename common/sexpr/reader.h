@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // S-expression reader that copies nothing: nodes are views into the text, kept in one reused array.
+// What a frame asks of every node is inline: an agent reads some 900 nodes a cycle.
 //
 // Atoms are runs of bytes other than blank, tab, CR, LF and parentheses; there are no comments,
 // quotes or escapes. Depth and node count are bounded, so no input can exhaust stack or memory.
@@ -62,8 +63,46 @@ class Document {
         std::uint32_t child = 0;   // first element of a list, 0 = none
         bool list = false;
     };
-    std::vector<Entry> entries_;   // entry 0 is the top level
+    std::vector<Entry> entries_;   // entry 0 is the top level; grows only
 };
+
+inline bool Node::is_atom() const {
+    return !document_->entries_[index_].list;
+}
+
+inline std::string_view Node::atom() const {
+    return document_->entries_[index_].text;
+}
+
+inline std::optional<Node> Node::first() const {
+    const std::uint32_t child = document_->entries_[index_].child;
+    if (child == 0) return std::nullopt;
+    return Node(document_, child);
+}
+
+inline std::optional<Node> Node::next() const {
+    const std::uint32_t next = document_->entries_[index_].next;
+    if (next == 0) return std::nullopt;
+    return Node(document_, next);
+}
+
+inline std::string_view Node::tag() const {
+    const auto head = first();
+    return head ? head->atom() : std::string_view{};
+}
+
+inline std::optional<Node> Node::at(int position) const {
+    auto n = first();
+    for (int i = 0; n && i < position; ++i) n = n->next();
+    return n;
+}
+
+inline std::optional<Node> Node::find(std::string_view tag) const {
+    for (auto n = first(); n; n = n->next()) {
+        if (n->is_list() && n->tag() == tag) return n;
+    }
+    return std::nullopt;
+}
 
 /// The whole text as a finite decimal number (exponents allowed); none for nan, inf or rubbish.
 std::optional<double> to_number(std::string_view text);

@@ -72,11 +72,23 @@ bool decode_joint(nao::JointId id, const Node& list, Commands& commands) {
     return true;
 }
 
-/// False if the command is unknown or damaged.
-bool decode_one(const Node& node, Commands& commands) {
+/// Joints come in the order of the ids, mostly: number `next` is tried before a search.
+std::optional<nao::JointId> joint_named(std::string_view name, std::size_t& next) {
+    auto joint = static_cast<nao::JointId>(next);
+    if (nao::effector_name(joint) != name) {
+        const auto found = nao::joint_by_effector(name);
+        if (!found) return std::nullopt;
+        joint = *found;
+    }
+    next = (nao::index(joint) + 1) % nao::kJointCount;
+    return joint;
+}
+
+/// False if the command is unknown or damaged. `next`: of the joint expected.
+bool decode_one(const Node& node, std::size_t& next, Commands& commands) {
     const std::string_view tag = node.tag();
     if (tag == "syn") return commands.syn = true;
-    if (const auto joint = nao::joint_by_effector(tag)) return decode_joint(*joint, node, commands);
+    if (const auto joint = joint_named(tag, next)) return decode_joint(*joint, node, commands);
     if (tag == "say") return decode_say(node, commands);
     if (tag == "beam") return decode_beam(node, commands);
     if (tag == "scene") return decode_scene(node, commands);
@@ -141,8 +153,9 @@ int decode(std::string_view payload, Commands& commands) {
     // Kept between calls only for its memory.
     static thread_local sexpr::Document document;
     int faults = document.parse(payload) == sexpr::Error::None ? 0 : 1;
+    std::size_t next = 0;
     for (auto node = document.first(); node; node = node->next()) {
-        if (!decode_one(*node, commands)) ++faults;
+        if (!decode_one(*node, next, commands)) ++faults;
     }
     return faults;
 }

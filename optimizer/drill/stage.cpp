@@ -8,6 +8,7 @@
 #include <filesystem>
 
 #include "optimizer/episode/collect.h"
+#include "optimizer/episode/commands.h"
 #include "optimizer/spec/settings.h"
 
 namespace k3d::optimizer::drill {
@@ -54,6 +55,7 @@ Stage::Stage(const spec::DrillSpec& spec, std::uint64_t seed,
       patience_(static_cast<long>(spec.patience_s * 1000.0)),
       own_server_(spec.agent_port == 0),
       syncs_(own_server_ && pace_of(spec, http_port) != "realtime"),
+      batch_(own_server_ && pace_of(spec, http_port) == "fast"),
       agent_port_(spec.agent_port),
       monitor_port_(spec.server_port) {
     if (own_server_) start_server(spec, seed, http_port);
@@ -83,9 +85,11 @@ void Stage::start_server(const spec::DrillSpec& spec, std::uint64_t seed, int ht
     }
     if (!spec.server_config.empty()) words.insert(words.end(), {"--config", spec.server_config});
     add_settings(words, spec::parse_settings(spec.settings).server);
+    agent_socket_ = episode::agent_socket(folder_);
+    if (!agent_socket_.empty()) words.insert(words.end(), {"--agent-socket", agent_socket_});
     host_ = "127.0.0.1";
     server_ = std::make_unique<process::Child>(
-        process::Spawn{words, folder_ + "/server.log", true});
+        process::Spawn{words, folder_ + "/server.log", true, batch_});
     const auto ready = server_->wait_ready(patience_);
     agent_port_ = port_in(ready, "agent");
     monitor_port_ = port_in(ready, "monitor");
@@ -102,11 +106,12 @@ void Stage::start_agent(const spec::DrillSpec& spec, std::uint64_t seed,
                                    "--patience-s", fmt::format("{}", spec.patience_s),
                                    "--telemetry", telemetry_file(),
                                    "--set", "belief_interval=0.02"};
+    if (!agent_socket_.empty()) words.insert(words.end(), {"--socket", agent_socket_});
     if (!spec.agent_config.empty()) words.insert(words.end(), {"--config", spec.agent_config});
     add_settings(words, settings);
     add_settings(words, spec::parse_settings(spec.settings).keeper);
     agent_ = std::make_unique<process::Child>(
-        process::Spawn{words, folder_ + "/agent.log", false});
+        process::Spawn{words, folder_ + "/agent.log", false, batch_});
 }
 
 void Stage::begin(const Pose2& pose, const wire::BallCommand& ball) {

@@ -71,7 +71,9 @@ class Stage {
     std::chrono::milliseconds patience_;
     bool own_server_;
     bool syncs_;
+    bool batch_;
     int agent_port_ = 0;
+    std::string agent_socket_;  ///< of our own server, if its name is short enough
     int monitor_port_ = 0;
     int page_port_ = -1;
     std::unique_ptr<process::Child> server_;

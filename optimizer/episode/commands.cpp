@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "common/net/net.h"
 #include "optimizer/spec/agent_fields.h"
 #include "optimizer/spec/settings.h"
 #include "optimizer/spec/words.h"
@@ -52,6 +53,11 @@ std::string telemetry_file(const std::string& folder, const Seat& seat) {
     return fmt::format("{}/{}.telemetry.jsonl", folder, seat.file_stem());
 }
 
+std::string agent_socket(const std::string& folder) {
+    std::string path = folder + "/agents";
+    return path.size() <= net::kMaxUnixPath ? path : "";
+}
+
 std::vector<std::string> server_command(const spec::MatchSpec& spec, const Task& task,
                                         const std::string& folder, int http_port) {
     std::vector<std::string> words{spec::program_path(spec.server_program, "k3d-server"),
@@ -81,6 +87,7 @@ std::vector<std::string> server_command(const spec::MatchSpec& spec, const Task&
                                    fmt::format("{}", spec.hung_agent_s),
                                    "--results",
                                    result_file(folder)};
+    add(words, "--agent-socket", agent_socket(folder));
     if (http_port >= 0) {
         add(words, "--http", std::to_string(http_port));
         add(words, "--beliefs", folder);
@@ -92,7 +99,8 @@ std::vector<std::string> server_command(const spec::MatchSpec& spec, const Task&
 }
 
 std::vector<std::string> agent_command(const spec::MatchSpec& spec, const Task& task,
-                                       const std::string& folder, const Seat& seat, int port) {
+                                       const std::string& folder, const Seat& seat, int port,
+                                       const std::string& socket) {
     if (is_foreign(spec, seat)) {
         return spec::fill_command(seat.keeper ? spec.keeper_command : spec.taker_command,
                                   {kHost, port, seat.unum, seat.team()});
@@ -114,6 +122,7 @@ std::vector<std::string> agent_command(const spec::MatchSpec& spec, const Task& 
                                    std::to_string(spec.keepers),
                                    "--takers",
                                    std::to_string(spec.takers)};
+    add(words, "--socket", socket);
     const spec::Settings settings = spec::parse_settings(spec.settings);
     if (seat.keeper) {
         add(words, "--keeper-policy", spec.keeper_policy);

@@ -27,10 +27,15 @@ bool is_foreign(const spec::MatchSpec& spec, const Seat& seat);
 std::string result_file(const std::string& folder);
 std::string telemetry_file(const std::string& folder, const Seat& seat);
 
+/// Where the server may listen for our agents besides its port; empty if the name would be too long.
+std::string agent_socket(const std::string& folder);
+
 /// `http_port` -1: no page.
 std::vector<std::string> server_command(const spec::MatchSpec& spec, const Task& task,
                                         const std::string& folder, int http_port);
+/// `socket`: of agent_socket(), if the server listens there; foreign programs take the port.
 std::vector<std::string> agent_command(const spec::MatchSpec& spec, const Task& task,
-                                       const std::string& folder, const Seat& seat, int port);
+                                       const std::string& folder, const Seat& seat, int port,
+                                       const std::string& socket = {});
 
 }  // namespace k3d::optimizer::episode

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <filesystem>
 
 #include "optimizer/episode/collect.h"
 
@@ -41,7 +42,7 @@ std::optional<int> port_in(const std::map<std::string, std::string>& ready, cons
 process::Child start_server(const spec::MatchSpec& spec, const Task& task,
                             const std::string& folder, int http_port) {
     return process::Child(
-        {server_command(spec, task, folder, http_port), folder + "/server.log", true});
+        {server_command(spec, task, folder, http_port), folder + "/server.log", true, spec.pace == "fast"});
 }
 
 }  // namespace
@@ -91,11 +92,16 @@ std::optional<Ending> Episode::start_agents_when_ready() {
 }
 
 void Episode::start_agents(int port) {
+    std::string socket = agent_socket(folder_);
+    std::error_code ignored;
+    if (!std::filesystem::exists(socket, ignored)) socket.clear();
+    const bool batch = spec_.pace == "fast";
     for (const Seat& seat : seats(spec_)) {
         const std::string log = fmt::format("{}/{}.log", folder_, seat.file_stem());
         agents_.push_back(
             {seat, is_foreign(spec_, seat), log,
-             process::Child({agent_command(spec_, task_, folder_, seat, port), log, false})});
+             process::Child(
+                 {agent_command(spec_, task_, folder_, seat, port, socket), log, false, batch})});
     }
 }
 

@@ -115,14 +115,22 @@ void Robot::drive(nao::JointId id, double rate) {
     if (joint == nullptr || !std::isfinite(rate)) return;
     const nao::JointDef& def = *defs_[nao::index(id)];
     const double clamped = std::clamp(rate, -def.max_rate, def.max_rate);
-    const double now = dJointGetHingeAngle(joint);
+    const double now = measured(nao::index(id));
     if (now > def.min && now < def.max) dJointSetHingeParam(joint, dParamVel, clamped);
     if (clamped != 0.0) dBodyEnable(bodies_[static_cast<std::size_t>(def.child)]);
 }
 
 double Robot::angle(nao::JointId id) const {
     const dJointID joint = joints_[nao::index(id)];
-    return joint == nullptr ? 0.0 : dJointGetHingeAngle(joint);
+    return joint == nullptr ? 0.0 : measured(nao::index(id));
+}
+
+double Robot::measured(std::size_t joint) const {
+    if (angles_of_ != world_.revision()) angle_known_.reset();
+    angles_of_ = world_.revision();
+    if (!angle_known_[joint]) angles_[joint] = dJointGetHingeAngle(joints_[joint]);
+    angle_known_.set(joint);
+    return angles_[joint];
 }
 
 double Robot::rate(nao::JointId id) const {
@@ -149,6 +157,7 @@ void Robot::place(const Vec3& torso, double heading) {
 }
 
 void Robot::transform(const Vec3& torso, const Quat& turn) {
+    angle_known_.reset();  // rigid, but not to the last bit
     const Vec3 old_torso = torso_position();
     for (const dBodyID body : bodies_) {
         const Vec3 p = torso + turn * (position_of(body) - old_torso);

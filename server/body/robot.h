@@ -5,6 +5,8 @@
 #pragma once
 
 #include <array>
+#include <bitset>
+#include <cstdint>
 #include <vector>
 
 #include "server/physics/world.h"
@@ -52,6 +54,7 @@ class Robot {
     void add_body(const nao::BodyDef& def, const Vec3& position);
     void add_joint(const nao::JointDef& def);
     void transform(const Vec3& torso, const Quat& turn);
+    double measured(std::size_t joint) const;
 
     physics::World& world_;
     const nao::Model& model_;
@@ -61,6 +64,11 @@ class Robot {
     std::array<dxJoint*, nao::kJointCount> joints_{};
     std::array<const nao::JointDef*, nao::kJointCount> defs_{};
     std::vector<physics::Tag> tags_;
+
+    /// Angles are asked for once by the percept and once by the reply to it; ODE takes arcs for each.
+    mutable nao::JointArray angles_{};
+    mutable std::bitset<nao::kJointCount> angle_known_;
+    mutable std::uint64_t angles_of_ = 0;  ///< world_.revision()
 };
 
 }  // namespace k3d::server::body

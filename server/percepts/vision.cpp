@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <utility>
-#include <vector>
 
 #include "common/field/field.h"
 
@@ -17,14 +16,22 @@ wire::Pol polar(const Vec3& in_head) {
             degrees(std::atan2(in_head.z(), std::hypot(in_head.x(), in_head.y())))};
 }
 
-bool in_view(const wire::Pol& pol) {
+/// Whether both angles are within the view. Squares of coordinates tell it but for points on its border.
+bool in_view(const Vec3& in_head) {
+    static_assert(kViewHalfAngleDeg == 60.0, "its tangent's square is 3");
+    const Vec3 squares = in_head.cwiseAbs2();
+    const double beside = squares.x() - 3.0 * squares.y();
+    const double above = squares.z() - 3.0 * (squares.x() + squares.y());
+    const double border = 1e-9 * squares.sum();
+    if (in_head.y() < 0.0 || beside > border || above > border) return false;
+    if (beside < -border && above < -border) return true;
+    const wire::Pol pol = polar(in_head);
     return std::abs(pol.theta_deg) <= kViewHalfAngleDeg && std::abs(pol.phi_deg) <= kViewHalfAngleDeg;
 }
 
 /// Of a line's end, calibration error included.
 bool visible(const Vec3& in_head) {
-    const wire::Pol pol = polar(in_head);
-    return pol.distance > kMinSeenDistance && in_view(pol);
+    return in_head.norm() > kMinSeenDistance && in_view(in_head);
 }
 
 /// Moves the end that lies behind the image plane onto it; false if both do.
@@ -39,9 +46,14 @@ bool cut_at_image_plane(Vec3& begin, Vec3& end) {
     return true;
 }
 
+struct Crossings {
+    std::array<Vec3, 2> points;
+    std::size_t count = 0;
+};
+
 /// Where the segment, all before the camera, crosses the sides of the view pyramid: at most two
 /// points, in the order top, bottom, left, right.
-std::vector<Vec3> crossings(const Vec3& begin, const Vec3& end) {
+Crossings crossings(const Vec3& begin, const Vec3& end) {
     struct Side {
         int across;   // the axis on which the side lies ...
         double sign;  // ... in which direction
@@ -52,7 +64,7 @@ std::vector<Vec3> crossings(const Vec3& begin, const Vec3& end) {
     constexpr std::array<Side, 4> kSides{
         {{kZ, 1.0, kX}, {kZ, -1.0, kX}, {kX, -1.0, kZ}, {kX, 1.0, kZ}}};
     static const double slope = std::tan(radians(kViewHalfAngleDeg));
-    std::vector<Vec3> points;
+    Crossings found;
     for (const Side& side : kSides) {
         const double outside_begin = side.sign * begin[side.across] - slope * begin.y();
         const double outside_end = side.sign * end[side.across] - slope * end.y();
@@ -60,9 +72,9 @@ std::vector<Vec3> crossings(const Vec3& begin, const Vec3& end) {
         const double share = outside_begin / (outside_begin - outside_end);
         const Vec3 point = begin + share * (end - begin);
         const bool on_edge = std::abs(point[side.along]) <= slope * point.y();
-        if (on_edge && points.size() < 2) points.push_back(point);
+        if (on_edge && found.count < found.points.size()) found.points[found.count++] = point;
     }
-    return points;
+    return found;
 }
 
 }  // namespace
@@ -95,7 +107,7 @@ wire::Pol Camera::noisy(const Vec3& in_head) {
 std::optional<wire::Pol> Camera::look_at(const View& view, const Vec3& point) {
     if ((point - view.origin).norm() <= kMinSeenDistance) return std::nullopt;
     const Vec3 in_head = view(point);
-    if (!in_view(polar(in_head))) return std::nullopt;
+    if (!in_view(in_head)) return std::nullopt;
     return noisy(in_head);
 }
 
@@ -163,15 +175,15 @@ bool clip_to_view(Vec3& begin, Vec3& end) {
     Vec3 from = begin;
     Vec3 to = end;
     if (!cut_at_image_plane(from, to)) return false;
-    const std::vector<Vec3> edges = crossings(from, to);
-    if (edges.size() >= 2) {
-        begin = edges[0];
-        end = edges[1];
+    const Crossings edges = crossings(from, to);
+    if (edges.count == 2) {
+        begin = edges.points[0];
+        end = edges.points[1];
         return true;
     }
     // One crossing makes one unseen end good; with none, or two unseen ends, the line is lost.
-    if (edges.empty() || (!sees_begin && !sees_end)) return false;
-    (sees_begin ? end : begin) = edges[0];
+    if (edges.count == 0 || (!sees_begin && !sees_end)) return false;
+    (sees_begin ? end : begin) = edges.points[0];
     return true;
 }
 

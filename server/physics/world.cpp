@@ -100,6 +100,7 @@ struct World::Impl {
     std::vector<Mechanism> mechanisms;
     ExactStepper exact{world.get()};
     std::optional<fast::FastStepper> fast;  ///< steps in its place, if there
+    std::uint64_t revision = 0;
     std::vector<Contact> contacts;
 
     template <class Visit>
@@ -147,7 +148,12 @@ void World::step(StageClock* stages) {
     } else {
         impl_->exact.step(impl_->mechanisms, touches, impl_->contacts);
     }
+    ++impl_->revision;
     impl_->each_body(check);
+}
+
+std::uint64_t World::revision() const {
+    return impl_->revision;
 }
 
 std::span<const Contact> World::contacts() const {
@@ -161,6 +167,7 @@ std::vector<BodyState> World::state() const {
 }
 
 void World::set_state(std::span<const BodyState> state) {
+    ++impl_->revision;
     auto next = state.begin();
     impl_->each_body([&next](dBodyID body) { set_state_of(body, *next++); });
 }

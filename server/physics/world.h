@@ -96,6 +96,9 @@ class World {
 
     std::span<const Contact> contacts() const;  ///< of the last step
 
+    /// Another number after each step() and set_state(): what was worked out of bodies is out of date then.
+    std::uint64_t revision() const;
+
     /// State of all bodies, in order of addition; with the hinges' motors it is all that a step
     /// needs.
     std::vector<BodyState> state() const;

@@ -22,6 +22,7 @@ class TappedConnection final : public net::Connection {
     }
     bool send(std::string_view payload) override { return inner_->send(payload); }
     bool ready() override { return inner_->ready(); }
+    void doze(std::chrono::milliseconds longest) override { inner_->doze(longest); }
     bool closed() const override { return inner_->closed(); }
     bool spent() const override { return inner_->spent(); }
     bool broke_limit() const override { return inner_->broke_limit(); }

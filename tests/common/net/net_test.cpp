@@ -9,6 +9,7 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
+#include <filesystem>
 #include <vector>
 
 #include "common/wire/frame.h"
@@ -246,6 +247,76 @@ TEST(Net, BusyPortAndBadAddressAreNamed) {
     }
     EXPECT_EQ(error_of([&] { Client client("127.0.0.1", free_port, 40ms); }),
               "cannot connect to 127.0.0.1:" + std::to_string(free_port) + ": Connection refused");
+}
+
+/// A name in the temporary folder that is this test process's own.
+UnixPath unix_path() {
+    return {(std::filesystem::temp_directory_path() / ("k3d-net-" + std::to_string(::getpid())))
+                .string()};
+}
+
+TEST(Net, FramesBothWaysOverAUnixDomainSocket) {
+    const UnixPath path = unix_path();
+    {
+        Loop loop;
+        std::unique_ptr<Connection> connection;
+        Listener listener(loop, path, [&](auto accepted) { connection = std::move(accepted); });
+        Client client(path, 5000ms);
+        const std::string large(50'000, 'x');  // more than one read
+        client.send("(syn)");
+        client.send(large);
+        std::vector<std::string> frames;
+        EXPECT_TRUE(loop.wait(Clock::now() + 10s, [&] {
+            std::string_view payload;
+            while (connection && connection->next_frame(payload)) frames.emplace_back(payload);
+            return frames.size() == 2;
+        }));
+        EXPECT_THAT(frames, testing::ElementsAre("(syn)", large));
+        EXPECT_EQ(connection->peer(), "unix:" + path.name);
+        EXPECT_TRUE(connection->send("(See )"));
+        std::string_view payload;
+        ASSERT_TRUE(client.receive(payload, 5000ms));
+        EXPECT_EQ(payload, "(See )");
+        connection.reset();
+        EXPECT_FALSE(client.receive(payload, 5000ms)) << "an orderly end";
+    }
+    EXPECT_FALSE(std::filesystem::exists(path.name)) << "the listener removes its file";
+}
+
+TEST(Net, AUnixDomainSocketThatCannotBeIsNamed) {
+    const auto error_of = [](const UnixPath& path) -> std::string {
+        try {
+            Loop loop;
+            Listener listener(loop, path, [](auto) {});
+        } catch (const NetError& error) {
+            return error.what();
+        }
+        return "no error";
+    };
+    const std::string longest = "/" + std::string(kMaxUnixPath, 'n');
+    EXPECT_EQ(error_of({longest}),
+              "cannot listen on unix:" + longest + ": a name of 108 bytes, limit 107");
+    EXPECT_EQ(error_of({"/nowhere/at/all"}),
+              "cannot listen on unix:/nowhere/at/all: No such file or directory");
+    EXPECT_THROW(Client({longest}, 20ms), NetError);
+    EXPECT_THROW(Client({"/nowhere/at/all"}, 20ms), NetError);
+}
+
+TEST(Net, DozingEndsWithThePeersFrameAndNeverWaitsForOneThatIsHere) {
+    Server server;
+    Client client("127.0.0.1", server.listener.port(), 5000ms);
+    Connection& connection = server.accepted();
+    connection.doze(1ms);  // nothing comes: it ends by itself
+    client.send("(syn)");
+    const auto start = Clock::now();
+    connection.doze(60'000ms);
+    EXPECT_EQ(server.frame(connection), "(syn)");
+    client.send("(one)");
+    client.send("(two)");
+    EXPECT_EQ(server.frame(connection), "(one)");
+    connection.doze(60'000ms);  // "(two)" has come, read or not
+    EXPECT_EQ(server.frame(connection), "(two)");
+    EXPECT_LT(Clock::now() - start, 60s) << "it slept on";
 }
 
 TEST(Net, WaitKeepsItsDeadlineWithNothingToDo) {

@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <bit>
+#include <cstdlib>
 #include <string>
 
 namespace k3d::sexpr {
@@ -110,6 +112,17 @@ TEST(SexprNumbers, DecimalTextOnly) {
     for (const char* text : {"", "1.0", "99999999999", "a", "1 "}) {
         EXPECT_FALSE(to_integer(text)) << text;
     }
+}
+
+RC_GTEST_PROP(SexprNumbers, AreThoseOfTheCLibraryToTheBit,
+              (std::uint64_t digits, std::uint8_t shift, std::uint8_t point, bool negative)) {
+    std::string text = std::to_string(digits >> (shift % 64));
+    if (point % 22 < text.size()) text.insert(point % 22, ".");
+    if (negative) text.insert(0, "-");
+    const double expected = std::strtod(text.c_str(), nullptr);
+    const auto read = to_number(text);
+    RC_ASSERT(read.has_value());
+    RC_ASSERT(std::bit_cast<std::uint64_t>(*read) == std::bit_cast<std::uint64_t>(expected));
 }
 
 RC_GTEST_PROP(SexprReader, AnyBytesReadAndReadBackAlike, (const std::string& text)) {

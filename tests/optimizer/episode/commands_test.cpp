@@ -71,6 +71,16 @@ TEST(Commands, RolesDecideWhatAnAgentIsTold) {
     EXPECT_THAT(taker, Not(Contains("--telemetry")));
 }
 
+TEST(Commands, OurAgentsTakeTheServersUnixDomainSocketWhereItListens) {
+    const spec::MatchSpec spec;
+    EXPECT_EQ(after(server_command(spec, {}, "/f", -1), "--agent-socket"), "/f/agents");
+    EXPECT_THAT(agent_command(spec, {}, "/f", {true, 1}, 9), Not(Contains("--socket")));
+    EXPECT_EQ(after(agent_command(spec, {}, "/f", {true, 1}, 9, "/f/agents"), "--socket"), "/f/agents");
+    const std::string deep = "/" + std::string(101, 'd');
+    EXPECT_EQ(agent_socket(deep), "") << "a longer name than such sockets can have";
+    EXPECT_THAT(server_command(spec, {}, deep, -1), Not(Contains("--agent-socket")));
+}
+
 TEST(Commands, AForeignProgramIsStartedAsTheUserWroteIt) {
     spec::MatchSpec spec;
     spec.taker_command = "./theirs {host} {port} {unum} {team}";

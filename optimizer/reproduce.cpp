@@ -10,6 +10,7 @@
 #include <iostream>
 #include <memory>
 
+#include "common/network/network.h"
 #include "common/version/version.h"
 #include "optimizer/backend/local_backend.h"
 #include "optimizer/daemon.h"
@@ -17,6 +18,7 @@
 #include "optimizer/report/reproduction_page.h"
 #include "optimizer/report/run_report.h"
 #include "optimizer/run.h"
+#include "optimizer/spec/match_spec.h"
 #include "optimizer/spec/words.h"
 #include "optimizer/test_table.h"
 
@@ -33,6 +35,8 @@ struct Flags {
     std::string budget = "small";
     std::string experiments = "optimizer/experiments";
     std::string out;
+    std::string champion;
+    std::string foreign_takers;
     int jobs = 1;
 };
 
@@ -61,7 +65,8 @@ std::vector<std::string> parts_for(const std::string& wanted) {
 }
 
 bool is_needed(const Work& work, const spec::Search& search) {
-    return work.wants(search.part) || (search.part == "table1" && work.wants("transfer"));
+    const bool transfers = work.wants("transfer") && work.budget.champion.empty();
+    return work.wants(search.part) || (search.part == "table1" && transfers);
 }
 
 Run open_run(const Work& work, const spec::Search& search, int number, const std::string& folder) {
@@ -205,6 +210,14 @@ int reproduce(Flags flags) {
     }
     report::RunProgress progress(std::cout, ::isatty(STDOUT_FILENO) == 1);
     Work work{flags, spec::load_budget(file), parts_for(flags.part), progress};
+    if (!flags.champion.empty()) {
+        network::load_file(flags.champion);  // to learn of its faults before anything is played
+        work.budget.champion = fs::absolute(flags.champion).lexically_normal().string();
+    }
+    if (!flags.foreign_takers.empty()) {
+        spec::check_command("--foreign-takers", flags.foreign_takers);
+        work.budget.foreign_takers = flags.foreign_takers;
+    }
     fs::create_directories(flags.out);
     const bool done = do_parts(work);
     progress.say(progress.summary());
@@ -230,6 +243,10 @@ void add_reproduce_verb(CLI::App& app, std::function<int()>& chosen) {
     verb->add_option("PART", flags->part, "what of it (default all)")->check(CLI::IsMember(parts));
     verb->add_option("--budget", flags->budget, "small, paper, large, or a TOML file (default small)");
     verb->add_option("--out", flags->out, "folder (default runs/reproduce-BUDGET)");
+    verb->add_option("--champion", flags->champion,
+                     "network file learned before: plays table 1 too, and transfer");
+    verb->add_option("--foreign-takers", flags->foreign_takers,
+                     "command of a foreign program: table 1 also against it in the takers' seats");
     verb->add_option("--experiments", flags->experiments,
                      "folder of the experiments (default optimizer/experiments)");
     verb->add_option("--jobs", flags->jobs, "episodes at a time (default 1)")

@@ -35,6 +35,7 @@ spec::MatchSpec match_of(const Job& job, const std::string& folder) {
     match.keepers = task.keepers;
     match.takers = task.takers;
     match.taker = task.taker;
+    match.taker_command = task.taker_command;
     match.settings = task.settings;
     for (const std::string& setting : settings_of(job, folder)) {
         match.settings += " " + spec::quote_word(task.tuned + ":" + setting);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "optimizer/spec/match_spec.h"
 #include "optimizer/spec/parameter_tree.h"
 #include "optimizer/spec/settings.h"
 #include "optimizer/spec/words.h"
@@ -137,6 +138,14 @@ void check_search(const Experiment& e, Faults& faults) {
     const bool match = drill_of(e.task.name).empty();
     if (match && !e.task.drill.empty()) {
         faults.add("task.drill", "is for drills, but the task is " + e.task.name);
+    }
+    if (!match && !e.task.taker_command.empty()) {
+        faults.add("task.taker_command", "is for keepaway, but the task is " + e.task.name);
+    }
+    try {
+        check_command("taker_command", e.task.taker_command);
+    } catch (const std::invalid_argument& error) {
+        faults.add("task.taker_command", error.what());
     }
     try {
         split_words(e.task.drill);

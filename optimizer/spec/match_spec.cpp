@@ -19,6 +19,8 @@ void check_file(const char* field, const std::string& path) {
     throw std::invalid_argument(fmt::format("{}: no such file: {}", field, path));
 }
 
+}  // namespace
+
 void check_command(const char* field, const std::string& command) {
     if (command.empty()) return;
     try {
@@ -27,8 +29,6 @@ void check_command(const char* field, const std::string& command) {
         throw std::invalid_argument(fmt::format("{} '{}': {}", field, command, error.what()));
     }
 }
-
-}  // namespace
 
 void check(const MatchSpec& spec) {
     const auto last = static_cast<std::uint64_t>(spec.episodes) - 1;

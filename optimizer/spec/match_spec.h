@@ -70,6 +70,10 @@ struct MatchSpec {
     }
 };
 
+/// A foreign program's command: empty, or words with known {placeholders}. Throws
+/// std::invalid_argument naming `field` and the value.
+void check_command(const char* field, const std::string& command);
+
 /// What no single field can tell: throws std::invalid_argument naming the value.
 void check(const MatchSpec& spec);
 

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "common/config/config.h"
+#include "optimizer/spec/match_spec.h"
 #include "optimizer/spec/settings.h"
 #include "optimizer/spec/words.h"
 
@@ -37,7 +38,13 @@ RowSpec plain(std::string key, std::string label, std::string settings) {
             .search = {}};
 }
 
-RowSpec best_learned() {
+RowSpec champion_file(const Budget& budget) {
+    return plain("champion-file", "Learned before: " + budget.champion,
+                 "keeper.policy=" + quote_word(budget.champion));
+}
+
+RowSpec best_learned(const Budget& budget) {
+    if (!budget.champion.empty()) return champion_file(budget);
     RowSpec row = plain("champion", "Learned: champion of table 1", "");
     row.takes_best = true;
     return row;
@@ -70,6 +77,7 @@ std::vector<TableSpec> table1(const Budget& budget) {
     for (const std::string& taker : split_words(budget.takers)) {
         TableSpec table = keepaway_table("table1-" + taker, "Table 1, takers " + taker, budget);
         add_learned(table.rows, "table1", budget);
+        if (!budget.champion.empty()) table.rows.push_back(champion_file(budget));
         const auto baselines = keepaway_baselines();
         table.rows.insert(table.rows.end(), baselines.begin(), baselines.end());
         add(std::move(table), taker);
@@ -79,8 +87,14 @@ std::vector<TableSpec> table1(const Budget& budget) {
         TableSpec table = keepaway_table(
             "table1-slow", "Table 1, takers greedy_random, at most 0.66 m/s", budget);
         table.task.settings += " taker:taker.top_speed=0.66";
-        table.rows = {best_learned(), keepaway_baselines().front()};
+        table.rows = {best_learned(budget), keepaway_baselines().front()};
         add(std::move(table), "greedy_random");
+    }
+    if (!budget.foreign_takers.empty()) {
+        TableSpec table = keepaway_table("table1-foreign", "Table 1, takers a foreign program", budget);
+        table.task.taker_command = budget.foreign_takers;
+        table.rows = {best_learned(budget), keepaway_baselines().front()};
+        add(std::move(table), "greedy");
     }
     return tables;
 }
@@ -96,7 +110,7 @@ std::vector<TableSpec> transfer(const Budget& budget) {
         table.task.keepers = keepers;
         table.task.takers = takers;
         table.task.settings += settings;
-        table.rows = {best_learned(), keepaway_baselines().front()};
+        table.rows = {best_learned(budget), keepaway_baselines().front()};
         tables.push_back(std::move(table));
     };
     add("4v3", "4 keepers against 3 takers, champion of 3 against 2", 4, 3, "");
@@ -182,7 +196,11 @@ void Budget::describe(config::Fields& f) {
     f.text("takers", takers, {}, "words greedy, greedy_random: a table 1 against each");
     f.text("sides", sides, {}, "words: other sides of the area, m, that transfer tries");
     f.text("settings", settings, {}, "words PROGRAM:path=value in all keepaway test episodes");
+    f.text("champion", champion, {},
+           "network file: a row of table 1, and plays transfer instead of what was found");
     f.boolean("slow_takers", slow_takers, "table 1 also against takers of 0.66 m/s");
+    f.text("foreign_takers", foreign_takers, {},
+           "command of a foreign program: table 1 also against it in the takers' seats");
     for (auto& [name, search] : searches) f.section(name, search);
 }
 
@@ -192,6 +210,7 @@ Budget load_budget(const std::string& file) {
     try {
         parse_settings(budget.settings);
         for (const std::string& taker : split_words(budget.takers)) check_taker(taker);
+        check_command("foreign_takers", budget.foreign_takers);
         for (const std::string& side : split_words(budget.sides)) check_side(side);
         for (const auto& [name, search] : budget.searches) split_words(search.set);
     } catch (const std::invalid_argument& error) {

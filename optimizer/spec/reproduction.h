@@ -46,6 +46,8 @@ struct Budget {
     std::string sides = "8 9 11 12 13 14";
     std::string settings;
     bool slow_takers = true;
+    std::string foreign_takers;  ///< command of a foreign program; empty: no such table
+    std::string champion;  ///< network file: plays too, and in transfer instead of what was found
     std::map<std::string, SearchBudget> searches;
 
     Budget();

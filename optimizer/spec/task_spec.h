@@ -31,6 +31,7 @@ struct TaskSpec {
     int keepers = 3;
     int takers = 2;
     std::string taker = "greedy";
+    std::string taker_command;
     std::string settings;
     std::string drill;
     double deadline_s = 1800.0;
@@ -51,6 +52,9 @@ struct TaskSpec {
         f.integer("keepers", keepers, {1, 11}, "players", "keepaway: left team");
         f.integer("takers", takers, {1, 11}, "players", "keepaway: right team");
         f.text("taker", taker, {"greedy", "greedy_random"}, "keepaway: the takers' strategy");
+        f.text("taker_command", taker_command, {},
+               "keepaway: a foreign program in the takers' seats, as match --taker-command; runs where "
+               "the episode is played");
         f.text("settings", settings, {},
                "words PROGRAM:path=value for server, agent, keeper or taker, the same in all "
                "episodes");

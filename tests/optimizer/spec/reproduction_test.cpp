@@ -63,6 +63,32 @@ TEST(Reproduction, RowsFollowTheBudget) {
     EXPECT_EQ(tables[0].task.taker, "greedy");
 }
 
+TEST(Reproduction, AChampionLearnedBeforePlaysToo) {
+    Budget budget;
+    budget.champion = "/some where/net.json";
+    const auto tables = tables_of("table1", budget);
+    const auto is_champion = [](const RowSpec& row) {
+        return row.key == "champion-file" && row.settings == "keeper.policy=\"/some where/net.json\"";
+    };
+    for (const TableSpec& table : tables) {
+        EXPECT_TRUE(std::any_of(table.rows.begin(), table.rows.end(), is_champion)) << table.name;
+    }
+    EXPECT_FALSE(tables_of("transfer", budget).front().rows.front().takes_best);
+}
+
+TEST(Reproduction, AForeignProgramCanTakeTheTakersSeats) {
+    Budget budget;
+    budget.foreign_takers = "other-agent {host} {port}";
+    const auto tables = tables_of("table1", budget);
+    const TableSpec& table = tables.back();
+    EXPECT_EQ(table.name, "table1-foreign");
+    EXPECT_EQ(table.task.taker_command, budget.foreign_takers);
+    EXPECT_EQ(table.rows.size(), 2u);
+    EXPECT_EQ(std::count_if(tables.begin(), tables.end(),
+                            [](const TableSpec& t) { return !t.task.taker_command.empty(); }),
+              1);
+}
+
 TEST(Reproduction, MistakesAreNamed) {
     const std::string file = testing::TempDir() + "/budget-" + std::to_string(getpid()) + ".toml";
     const auto fault = [&](const std::string& text) -> std::string {
@@ -77,6 +103,7 @@ TEST(Reproduction, MistakesAreNamed) {
     EXPECT_THAT(fault("[keepaway_neet]\nruns = 1\n"), testing::HasSubstr("keepaway_neet"));
     EXPECT_THAT(fault("settings = \"somebody:x=1\"\n"), testing::HasSubstr("somebody:x=1"));
     EXPECT_THAT(fault("takers = \"greedy lazy\"\n"), testing::HasSubstr("lazy"));
+    EXPECT_THAT(fault("foreign_takers = \"agent {prot}\"\n"), testing::HasSubstr("prot"));
     EXPECT_THAT(fault("sides = \"ten\"\n"), testing::HasSubstr("ten"));
     EXPECT_EQ(fault("sides = \"10.5\"\n"), "none");
     std::filesystem::remove(file);

@@ -13,11 +13,15 @@ namespace k3d::agent {
 namespace {
 
 skills::KickGeometry kick_geometry(const kick::Config& config) {
-    return {[config](const Pose2& self, const Vec2& ball, double yaw) {
-                return kick::stand_pose_near(config, self, ball, yaw);
+    using kick::kStrikes;
+    const auto strike = [](int number) { return kStrikes[static_cast<std::size_t>(number)]; };
+    return {static_cast<int>(kStrikes.size()),
+            [=](int number, double distance) { return kick::suits(config, strike(number), distance); },
+            [=](int number, const Vec2& ball, double yaw) {
+                return kick::stand_pose(config, ball, yaw, strike(number));
             },
-            [config](const motion::Kick& wish) { return kick::kick_possible(config, wish); },
-            [config](double wanted) { return config.reach_for(wanted); }};
+            [=](const motion::Kick& wish) { return kick::kick_possible(config, wish); },
+            [=](double wanted) { return config.reach_for(wanted); }};
 }
 
 decision::PlayerSettings player_settings(const Config& c, const std::string& entity) {

@@ -40,8 +40,11 @@ struct KeeperConfig {
     double pressure_far = 2.0;
     double pressure_near = 0.7;
     double evade_distance = 0.5;
-    double panic_distance = 1.0;
-    double panic_angle = 0.8;
+    double taker_speed = 0.75;
+    double taker_reach = 0.35;
+    double kick_time_s = 0.6;
+    double patience_s = 0.3;
+    double change_s = 0.4;
 
     void describe(config::Fields& f) {
         f.text("policy", policy, {},
@@ -77,9 +80,15 @@ struct KeeperConfig {
                  "a taker this near loosens them fully");
         f.number("evade_distance", evade_distance, {0.0, 5.0}, "m",
                  "K3 steps aside from a taker this near");
-        f.number("panic_distance", panic_distance, {0.0, 20.0}, "m",
-                 "with a taker this near K1 takes only targets that it nearly faces");
-        f.number("panic_angle", panic_angle, {0.0, 3.15}, "rad", "what nearly means");
+        f.number("taker_speed", taker_speed, {0.05, 5.0}, "m/s",
+                 "K1 takes targets that it can kick at before a taker as fast as this has come");
+        f.number("taker_reach", taker_reach, {0.0, 2.0}, "m", "has come: is this near to the ball");
+        f.number("kick_time_s", kick_time_s, {0.0, 5.0}, "s",
+                 "from standing in the stance until the ball has gone");
+        f.number("patience_s", patience_s, {0.0, 20.0}, "s",
+                 "if no target is in time, those are taken that are later than the soonest by less");
+        f.number("change_s", change_s, {0.0, 20.0}, "s",
+                 "K1's present target counts as this much sooner");
     }
 };
 

@@ -56,8 +56,8 @@ BodyRequest position(const PossessionInput& in, skills::KickMeeting& kick_meetin
     const skills::Meeting meeting = kick_meeting.plan(self, in.beliefs.ball, in.target,
                                                       in.may_kick, standing, kick, skill);
     const skills::KickSituation situation{
-        self,     meeting.point, meeting.ball_at_hit, in.target,       in.pressure, in.may_kick,
-        standing, in.committed,  meeting.arrived,     meeting.rolling,
+        self,     meeting.point, meeting.ball_at_hit, in.target,       in.pressure,   in.may_kick,
+        standing, in.committed,  meeting.arrived,     meeting.rolling, meeting.strike,
     };
     return skills::position_for_kick(situation, kick, in.robots, skill);
 }

@@ -114,7 +114,8 @@ bool BodyMotion::kick(const BodySense& sense, const Request& request) {
         // A kick starts from quiet standing, to which stand_or_walk() brings the robot first. Begun
         // while the body still rocks from the last step, a quarter of the kicks end in a fall.
         if (wish == nullptr || !in_stance_ || state_.activity != Activity::Standing) return false;
-        if (time_ - stood_since_ < config_.kick_settle_s) return false;
+        const double settle = wish->hurried ? config_.kick_hurry_s : config_.kick_settle_s;
+        if (time_ - stood_since_ < settle) return false;
         if (!kick::kick_possible(config_.kick, *wish)) return false;
         kick_.start(*wish, stance());
         state_.activity = Activity::Kicking;

@@ -14,6 +14,7 @@ struct Config {
     double stance_rate = 2.5;
     double fall_s = 0.4;
     double kick_settle_s = 0.2;
+    double kick_hurry_s = 0.1;
     double odometry_forward = 1.12;
     double odometry_sideways = 1.16;
     walk::Config walk;
@@ -28,6 +29,7 @@ struct Config {
                  "joint speed with which the stance is taken up from any other pose");
         f.number("fall_s", fall_s, {0.0, 3.0}, "s", "from there until getting up begins");
         f.number("kick_settle_s", kick_settle_s, {0.0, 2.0}, "s", "quiet standing before a kick");
+        f.number("kick_hurry_s", kick_hurry_s, {0.0, 2.0}, "s", "the same before a hurried one");
         f.number("odometry_forward", odometry_forward, {0.5, 2.0}, "",
                  "true way over the way told by the legs, forward and backward");
         f.number("odometry_sideways", odometry_sideways, {0.5, 2.0}, "", "the same sideways");

@@ -35,7 +35,8 @@ struct KickByType {
     }
 };
 
-/// `kick` as a robot of `type` (0 to 4) kicks: types 0, 2 and 4 take it as it is.
+/// `kick` as a robot of `type` (0 to 4) kicks: types 0, 2 and 4 take it as it is,
+/// but only type 0 kicks aside.
 kick::Config kick_of_type(kick::Config kick, const KickByType& by_type, int type);
 
 }  // namespace k3d::agent::motion

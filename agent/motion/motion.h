@@ -47,6 +47,7 @@ struct Kick {
     Vec2 ball = Vec2::Zero();   ///< robot frame
     double direction = 0.0;     ///< rad, robot frame: where the ball shall go, 0 = straight ahead
     double distance = 5.0;      ///< m wanted
+    bool hurried = false;       ///< begin sooner after the last step, at the risk of a fall
 };
 
 /// Tip over on purpose, for drills of falling and getting up: the ankles turn at these speeds until

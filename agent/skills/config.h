@@ -36,6 +36,7 @@ struct SkillConfig {
     double kick_lead = 0.38;
     double kick_loosen = 1.4;
     double kick_loosen_yaw = 2.0;
+    double strike_keep_s = 0.35;
 
     double look_sweep = 0.6;
     double look_sweep_busy = 0.2;
@@ -76,6 +77,8 @@ struct SkillConfig {
                  "factor on the position tolerances with a taker at the ball");
         f.number("kick_loosen_yaw", kick_loosen_yaw, {1.0, 10.0}, "",
                  "factor on the heading tolerance with a taker at the ball");
+        f.number("strike_keep_s", strike_keep_s, {0.0, 10.0}, "s",
+                 "another foot or swing than the one prepared for must be ready sooner by this");
         f.number("leisure", leisure, {1.0, 10.0}, "",
                  "who stands ready without kicking moves again beyond this many tolerances");
         f.number("meet_before_finish", meet_before_finish, {0.0, 1.0}, "m",

@@ -41,18 +41,20 @@ Meeting KickMeeting::plan(const Pose2& self, const world::Ball& ball, const Vec2
                           const SkillConfig& c) {
     const Path path = path_of(ball);
     if (path.total < kPathStep || !may_kick) {
-        reset();
+        before_finish_ = -1.0;
         const Vec2 rest = ball.moving ? ball.finish : ball.position;
-        return {rest, ball.position, true, false};
+        strike_ = soonest_stance(self, rest, target, strike_, kick, c).strike;
+        return {strike_, rest, ball.position, true, false};
     }
     if (before_finish_ < 0.0 || (path.finish - finish_).norm() > kOtherRoll)
         before_finish_ = c.meet_before_finish;
     finish_ = path.finish;
     before_finish_ = std::min(before_finish_, path.total);
 
+    strike_ = soonest_stance(self, path.before_finish(before_finish_), target, strike_, kick, c).strike;
     const auto stance_at = [&](double way) {
         const Vec2 point = path.before_finish(way);
-        return kick.stand_pose(self, point, yaw_of(target - point));
+        return kick.stand_pose(strike_, point, yaw_of(target - point));
     };
     // A robot that stands well already lets the ball come to its foot.
     const Pose2 stance = stance_at(before_finish_);
@@ -78,7 +80,7 @@ Meeting KickMeeting::plan(const Pose2& self, const world::Ball& ball, const Vec2
     const double rolled = path.total * (1.0 - std::exp(-field::kRollDecay * c.kick_lead));
     const double to_come = path.total - before_finish_ - rolled;
     const bool rolling = before_finish_ > kPathStep;
-    return {path.before_finish(before_finish_), ball.position + rolled * path.along,
+    return {strike_, path.before_finish(before_finish_), ball.position + rolled * path.along,
             !rolling || to_come < kEarly, rolling};
 }
 

@@ -11,6 +11,8 @@ namespace {
 constexpr double kTouchRadius = 0.24;              // feet reach this far from the torso's centre
 constexpr double kArcStep = radians(50.0);         // way around the ball taken at once
 constexpr double kCommitted = 1.7;                 // more error is let pass once a kick was asked
+constexpr double kStopping = 3.0;                  // and while it stops, which sways by centimetres
+constexpr double kHurry = 0.5;                     // pressure from which a fall is risked
 constexpr double kAtRest = 0.06;                   // ball counts as come to rest this close
 constexpr double kFreeArc = radians(35.0);         // this far from straight behind needs no detour
 
@@ -40,14 +42,17 @@ motion::BodyRequest position_for_kick(const KickSituation& s, const KickGeometry
                                       std::span<const Obstacle> robots, const SkillConfig& c) {
     const Vec2 shot = s.target - s.ball;
     const double yaw = yaw_of(shot);
-    const Pose2 stance = kick.stand_pose(s.self, s.ball, yaw);
+    const Pose2 stance = kick.stand_pose(s.strike, s.ball, yaw);
     const StanceError error = stance_error(s.self, stance, s.pressure, c);
 
-    const motion::Kick request{s.self.to_local(s.ball_now), wrap_angle(yaw - s.self.yaw), shot.norm()};
+    const motion::Kick request{s.self.to_local(s.ball_now), wrap_angle(yaw - s.self.yaw), shot.norm(),
+                               s.pressure > kHurry};
     const bool there = (s.ball_now - s.ball).norm() < kAtRest;
     const bool must_stay = s.committed || (s.rolling && s.standing);
-    const bool placed = there && s.arrived && error.worst <= (must_stay ? kCommitted : 1.0) &&
-                        kick.possible(request);
+    const bool stopping = s.committed && !s.standing;
+    const double allowed = stopping ? kStopping : must_stay ? kCommitted : 1.0;
+    const bool placed = there && s.arrived && error.worst <= allowed &&
+                        (stopping || kick.possible(request));
     if (placed && s.may_kick) return request;
     // At leisure a looser stance is left alone: shuffling about next to the ball only moves it. And
     // who waits for the ball must stand quietly when it comes.
@@ -60,12 +65,12 @@ motion::BodyRequest position_for_kick(const KickSituation& s, const KickGeometry
     if (!behind && way_touches(s.self.position, stance.position, s.ball)) {
         const double arc = yaw_of(from_ball) + std::clamp(around, -kArcStep, kArcStep);
         const Vec2 next = s.ball + direction(arc) * c.circle_radius;
-        return walk_to(s.self, {next, yaw}, robots, c);
+        return walk_to(s.self, {next, stance.yaw}, robots, c);
     }
     // Turn before stepping up: a foot that swings around beside the ball pushes it away.
     if (std::abs(error.yaw) > radians(30.0) && from_ball.norm() < c.circle_radius + 0.1) {
         const Vec2 back = s.ball + (stance.position - s.ball).normalized() * c.circle_radius;
-        return walk_to(s.self, {back, yaw}, robots, c);
+        return walk_to(s.self, {back, stance.yaw}, robots, c);
     }
     motion::Walk walk = walk_to(s.self, stance, robots, c);
     // The last centimetres at a speed that steps can make, or they take for ever.

@@ -3,26 +3,15 @@
 // where the kick wants us, and kick once allowed and well placed.
 #pragma once
 
-#include <functional>
 #include <span>
 
 #include "agent/motion/motion.h"
 #include "agent/skills/config.h"
 #include "agent/skills/go_to.h"
+#include "agent/skills/stance_choice.h"
 #include "common/math/geometry.h"
 
 namespace k3d::agent::skills {
-
-/// What the kick engine says about its reach; functions, so that tests can do without an engine.
-struct KickGeometry {
-    /// Pose (any frame) from which a robot now at `self` should send a ball at `ball` towards
-    /// `yaw`; all in the same frame.
-    std::function<Pose2(const Pose2& self, const Vec2& ball, double yaw)> stand_pose;
-    /// Can the engine strike this ball from here (robot frame)?
-    std::function<bool(const motion::Kick&)> possible;
-    /// How far the ball goes, m, when so much is wanted: engines have few swings.
-    std::function<double(double wanted)> reach;
-};
 
 struct KickSituation {
     Pose2 self;         ///< team frame
@@ -35,6 +24,7 @@ struct KickSituation {
     bool committed = false;  ///< a kick was asked for the cycle before; the robot comes to a stop
     bool arrived = true;     ///< the ball has come as near to `ball` as it will
     bool rolling = false;    ///< it will not lie there: a robot that stands well must not step
+    int strike = 0;          ///< of KickGeometry: the kick prepared for
 };
 
 /// Error of a stance in the stance's own frame, as multiples of the tolerances at this pressure.
@@ -45,7 +35,7 @@ struct StanceError {
 StanceError stance_error(const Pose2& self, const Pose2& stance, double pressure,
                          const SkillConfig& config);
 
-/// Kick when placed and allowed, stand when placed, walk into place otherwise.
+/// Kick when placed and allowed, stand when placed, walk into the strike's stance otherwise.
 motion::BodyRequest position_for_kick(const KickSituation& situation, const KickGeometry& kick,
                                       std::span<const Obstacle> robots, const SkillConfig& config);
 

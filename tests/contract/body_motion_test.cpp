@@ -77,7 +77,7 @@ TEST(BodyMotionContract, KicksWhenAskedTellsStartAndEndAndWalksOn) {
     for (int i = 0; i < 50; ++i) step({});
     // Put the ball where the right foot reaches it.
     Kick kick;
-    kick.ball = {config.kick.ball_forward, -config.kick.ball_outward};
+    kick.ball = {config.kick.straight.ball_forward, -config.kick.straight.ball_outward};
     const Vec2 ball = rig.pose().to_global(kick.ball);
     rig.ball().move({ball.x(), ball.y(), 0.0403});
     int started = 0;
@@ -106,7 +106,7 @@ TEST(BodyMotionContract, AKickAskedForInTheWalkWaitsForQuietStanding) {
     BodyMotion motion(rig.model(), config);
     nao::JointArray rates{};
     Kick kick;
-    kick.ball = {config.kick.ball_forward, -config.kick.ball_outward};
+    kick.ball = {config.kick.straight.ball_forward, -config.kick.straight.ball_outward};
     double last_walked = 0.0;
     double kicked = 0.0;
     for (int i = 0; i < 50 * 6 && kicked == 0.0; ++i) {

@@ -18,8 +18,12 @@ using agent::kick::Config;
 using agent::kick::Foot;
 using agent::kick::KickEngine;
 using agent::kick::kick_possible;
-using agent::kick::kicking_foot;
+using agent::kick::kStrikes;
+using agent::kick::possible_strike;
 using agent::kick::stand_pose;
+using agent::kick::Strike;
+using agent::kick::suits;
+using agent::kick::Way;
 using agent::motion::Kick;
 
 struct Outcome {
@@ -29,11 +33,11 @@ struct Outcome {
     bool fell = false;
 };
 
-/// Kicks along the robot's heading a ball that lies `ball_off` from where this foot wants it. The
-/// engine is told the perfect place; the direction wanted is `turned` off the one kicked to.
-Outcome kick_once(Foot foot, double distance, const Vec2& ball_off, double turned) {
+/// Kicks a ball that lies `ball_off` from where this strike wants it. The engine is told the perfect
+/// place; the direction wanted is `turned` off the one kicked to.
+Outcome kick_once(const Strike& strike, double distance, const Vec2& ball_off, double turned) {
     const Config config;
-    const Pose2 stand = stand_pose(config, Vec2::Zero(), 0.0, foot);
+    const Pose2 stand = stand_pose(config, Vec2::Zero(), 0.0, strike);
     const Vec2 place = stand.to_local(Vec2::Zero());
     EngineRig r;
     r.take(walk_stance(), 0.5, 0.4);
@@ -69,7 +73,7 @@ TEST_P(EitherFoot, SendsAMisplacedBallFarAndStraightWithoutAFall) {
     for (int n = 0; n < kKicks; ++n) {
         const Vec2 ball_off(random.uniform(-0.015, 0.015), random.uniform(-0.015, 0.015));
         const double turned = radians(random.uniform(-3.0, 3.0));
-        const Outcome o = kick_once(GetParam(), 10.0, ball_off, turned);
+        const Outcome o = kick_once({Way::Straight, GetParam()}, 10.0, ball_off, turned);
         if (!o.fell && o.distance >= 3.0) ++good;
         off.push_back(o.off_deg);
         EXPECT_LT(o.duration, 1.5);
@@ -79,47 +83,85 @@ TEST_P(EitherFoot, SendsAMisplacedBallFarAndStraightWithoutAFall) {
 }
 
 TEST_P(EitherFoot, KicksShorterWhenAskedTo) {
-    const Outcome near = kick_once(GetParam(), 3.0, Vec2::Zero(), 0.0);
-    const Outcome far = kick_once(GetParam(), 6.0, Vec2::Zero(), 0.0);
+    const Outcome near = kick_once({Way::Straight, GetParam()}, 3.0, Vec2::Zero(), 0.0);
+    const Outcome far = kick_once({Way::Straight, GetParam()}, 6.0, Vec2::Zero(), 0.0);
     EXPECT_FALSE(near.fell);
     EXPECT_FALSE(far.fell);
     EXPECT_NEAR(near.distance, Config{}.near.reach_m, 0.7);
     EXPECT_NEAR(far.distance, Config{}.far.reach_m, 0.7);
 }
 
+TEST_P(EitherFoot, SendsAMisplacedBallAsideWithoutAFall) {
+    RandomStream random(3, "kick_test", "aside");
+    const Config config;
+    for (const Way way : {Way::Slant, Way::Square}) {
+        const double reach = (way == Way::Slant ? config.slant : config.square).swing.reach_m;
+        std::vector<double> off;
+        constexpr int kKicks = 20;
+        int good = 0;
+        for (int n = 0; n < kKicks; ++n) {
+            const Vec2 ball_off(random.uniform(-0.015, 0.015), random.uniform(-0.015, 0.015));
+            const Outcome o = kick_once({way, GetParam()}, reach, ball_off, 0.0);
+            if (!o.fell && std::abs(o.distance - reach) < 1.0) ++good;
+            off.push_back(o.off_deg);
+            EXPECT_LT(o.duration, 1.2);
+        }
+        EXPECT_GE(good, 19) << "of " << kKicks;
+        EXPECT_LE(median(off), 5.0);
+    }
+}
+
 INSTANTIATE_TEST_SUITE_P(Feet, EitherFoot, testing::Values(Foot::Right, Foot::Left),
                          [](const auto& test) { return test.param == Foot::Left ? "Left" : "Right"; });
 
-TEST(KickReach, TheStandPosePutsTheBallInReachOfThatFoot) {
+TEST(KickReach, TheStandPosePutsTheBallInReachOfThatStrike) {
     const Config config;
     const Vec2 ball(1.0, -2.0);
-    for (const Foot foot : {Foot::Right, Foot::Left}) {
+    for (const Strike& strike : kStrikes) {
         for (const double direction : {-3.0, -1.0, 0.0, 0.5, 2.9}) {
-            const Pose2 pose = stand_pose(config, ball, direction, foot);
-            const Kick kick{pose.to_local(ball), wrap_angle(direction - pose.yaw), 4.0};
-            EXPECT_EQ(kicking_foot(config, kick), foot) << direction;
+            const Pose2 pose = stand_pose(config, ball, direction, strike);
+            const Kick kick{pose.to_local(ball), wrap_angle(direction - pose.yaw), 4.8};
+            EXPECT_EQ(possible_strike(config, kick), strike) << direction;
         }
     }
 }
 
+TEST(KickReach, TheLeftFootMirrorsTheRight) {
+    const Config config;
+    for (const Way way : {Way::Straight, Way::Slant, Way::Square}) {
+        const Pose2 right = stand_pose(config, Vec2::Zero(), 0.0, {way, Foot::Right});
+        const Pose2 left = stand_pose(config, Vec2::Zero(), 0.0, {way, Foot::Left});
+        EXPECT_NEAR(left.yaw, -right.yaw, 1e-12);
+        EXPECT_NEAR(left.position.x(), right.position.x(), 1e-12);
+        EXPECT_NEAR(left.position.y(), -right.position.y(), 1e-12);
+    }
+    const Pose2 slant = stand_pose(config, Vec2::Zero(), 0.0, {Way::Slant, Foot::Right});
+    EXPECT_NEAR(slant.yaw, radians(config.slant.place.aim_outward_deg), 1e-12)
+        << "the right foot sends the ball to its right";
+}
+
 TEST(KickReach, ABallFarOffOrAnotherDirectionIsOutOfReach) {
     const Config config;
-    const Vec2 place(config.ball_forward, config.ball_outward);
-    EXPECT_TRUE(kick_possible(config, {place, radians(config.aim_outward_deg), 4.0}));
+    const Vec2 place(config.straight.ball_forward, config.straight.ball_outward);
+    EXPECT_TRUE(kick_possible(config, {place, radians(config.straight.aim_outward_deg), 4.0}));
     EXPECT_FALSE(kick_possible(config, {place + Vec2(0.1, 0.0), 0.0, 4.0}));
     EXPECT_FALSE(kick_possible(config, {place + Vec2(0.0, 0.1), 0.0, 4.0}));
     EXPECT_FALSE(kick_possible(config, {place, 1.0, 4.0}));
     EXPECT_FALSE(kick_possible(config, {-place, 0.0, 4.0}));
 }
 
-TEST(KickReach, TheNearerStandPoseIsChosen) {
-    const Config config;
-    const Vec2 ball(0.0, 0.0);
-    for (const Foot foot : {Foot::Right, Foot::Left}) {
-        const Pose2 pose = stand_pose(config, ball, 1.0, foot);
-        const Pose2 chosen = agent::kick::stand_pose_near(config, pose, ball, 1.0);
-        EXPECT_LT((chosen.position - pose.position).norm(), 1e-12);
-    }
+TEST(KickReach, ASwingToTheSideKnowsOneDistanceAndCanBeSwitchedOff) {
+    Config config;
+    const Strike slant{Way::Slant, Foot::Right};
+    const double reach = config.slant.swing.reach_m;
+    EXPECT_TRUE(suits(config, slant, reach + 0.9 * config.angled_miss_m));
+    EXPECT_FALSE(suits(config, slant, reach + 1.1 * config.angled_miss_m));
+    const Pose2 pose = stand_pose(config, Vec2::Zero(), 0.0, slant);
+    const Kick kick{pose.to_local(Vec2::Zero()), -pose.yaw, reach};
+    EXPECT_TRUE(kick_possible(config, kick));
+    config.slant.on = false;
+    EXPECT_FALSE(kick_possible(config, kick));
+    EXPECT_FALSE(suits(config, slant, reach));
 }
 
 TEST(KickConfig, TheFileHoldsTheTunedValues) {

@@ -102,7 +102,7 @@ INSTANTIATE_TEST_SUITE_P(Types, EveryTypeStep, testing::Range(0, nao::kTypeCount
 TEST(OneStep, AgreesInAKickOfTheBall) {
     const Config config;
     Kick kick;
-    kick.ball = {config.kick.ball_forward, -config.kick.ball_outward};
+    kick.ball = {config.kick.straight.ball_forward, -config.kick.straight.ball_outward};
     const auto request = [&kick](int i) {
         Request r;
         if (i > 60) r.body = kick;

@@ -160,7 +160,7 @@ double kicked(Stepper stepper, const Vec2& off) {
     BodyMotion motion(rig.model(), config);
     nao::JointArray rates{};
     Kick kick;
-    kick.ball = {config.kick.ball_forward, -config.kick.ball_outward};
+    kick.ball = {config.kick.straight.ball_forward, -config.kick.straight.ball_outward};
     Vec2 ball = Vec2::Zero();
     for (int i = 0; i < 50 * 6; ++i) {
         if (i == 60) {

@@ -58,6 +58,7 @@ Keeper::Keeper(const KeeperSettings& settings, Policy policy, const skills::Kick
     situation_.takers.reserve(kMostRobots);
     situation_.receivers.reserve(kMostRobots);
     obstacles_.reserve(kMostRobots + 1);
+    in_time_.reserve(grid_.size());
     scored_.reserve(grid_.size());
     if (!settings.keeper.open.empty()) open_.emplace(settings.keeper.open, grid_);
 }
@@ -191,14 +192,10 @@ void Keeper::choose_target(const world::Beliefs& b, Account& account) {
         const KeeperConfig& c = settings_.keeper;
         const double near = nearest_taker(b, b.ball.position);
         const double keep = near <= c.hold_threshold ? c.commit_margin : c.target_margin;
-        const bool panic = near < c.panic_distance &&
-                           (b.self.pose.position - b.ball.position).norm() < c.panic_distance;
-        const auto room = [&](const Vec2& p) {
-            const double turn = std::abs(wrap_angle(yaw_of(p - situation.ball) - b.self.pose.yaw));
-            if (panic && turn > c.panic_angle) return c.panic_angle - turn;
-            return room_for(p, situation.ball);
-        };
-        const Target best = best_target(grid_, situation, policy_, settings_.evaluation,
+        const auto room = [&](const Vec2& p) { return room_for(p, situation.ball); };
+        targets_in_time(grid_, std::ref(room), haste(b.self.pose, situation), in_time_);
+        const auto& targets = in_time_.empty() ? grid_ : in_time_;
+        const Target best = best_target(targets, situation, policy_, settings_.evaluation,
                                         std::ref(room), target_, keep, &scored_);
         account.scored = scored_;
         target_ = best.point;
@@ -209,13 +206,26 @@ void Keeper::choose_target(const world::Beliefs& b, Account& account) {
     account.k2 = k2_;
 }
 
+Haste Keeper::haste(const Pose2& self, const PassSituation& situation) const {
+    const KeeperConfig& c = settings_.keeper;
+    double near = std::numeric_limits<double>::infinity();
+    for (const auto& taker : situation.takers)
+        near = std::min(near, (taker.position - situation.ball).norm());
+    return {(near - c.taker_reach) / c.taker_speed, c.patience_s, [&, self](const Vec2& target) {
+                const double stand = skills::soonest_stance(self, situation.ball, target, -1, kick_,
+                                                            settings_.skills).time;
+                const bool kept = target_ && (*target_ - target).norm() < 1e-6;
+                return stand + c.kick_time_s - (kept ? c.change_s : 0.0);
+            }};
+}
+
 double Keeper::room_for(const Vec2& target, const Vec2& ball) const {
     const KeeperConfig& c = settings_.keeper;
     const double half = settings_.keepaway.side / 2.0;
     const Vec2 shot = target - ball;
     const double yaw = yaw_of(shot);
     const double reach = kick_.reach(shot.norm());
-    const Vec2 stance = kick_.stand_pose({ball, yaw}, ball, yaw).position;
+    const Vec2 stance = kick_.stand_pose(0, ball, yaw).position;
     const Vec2 landing = ball + direction(yaw) * reach;
     return std::min({half - c.stance_margin - stance.cwiseAbs().maxCoeff(),
                      half - c.landing_margin - landing.cwiseAbs().maxCoeff(),

@@ -10,6 +10,7 @@
 
 #include "agent/decision/config.h"
 #include "agent/decision/decision.h"
+#include "agent/decision/keepaway/in_time.h"
 #include "agent/decision/keepaway/open_place.h"
 #include "agent/decision/keepaway/policy.h"
 #include "agent/decision/keepaway/roles.h"
@@ -52,6 +53,8 @@ class Keeper {
     void choose_target(const world::Beliefs& beliefs, Account& account);
     /// Room of policy.h: for the stance, for where the ball lands, and between that and the target.
     double room_for(const Vec2& target, const Vec2& ball) const;
+    /// How soon a taker comes to the ball, and how soon K1 at `self` can have kicked it.
+    Haste haste(const Pose2& self, const PassSituation& situation) const;
     /// Where K3 goes: home, or where the learned function sends it.
     Vec2 place_of_k3(const world::Beliefs& beliefs, const Assignment& part);
     motion::BodyRequest walk_and_watch(const world::Beliefs& beliefs, const Vec2& place);
@@ -70,6 +73,7 @@ class Keeper {
     std::optional<motion::Kick> swing_;  ///< the kick asked for last or under way
     PassSituation situation_;                  ///< of this cycle; kept for its memory
     std::vector<skills::Obstacle> obstacles_;  ///< likewise
+    std::vector<Vec2> in_time_;                ///< likewise
     std::vector<Scored> scored_;               ///< likewise
     int k2_ = 0;
     int kicks_ = 0;

@@ -7,13 +7,69 @@
 
 namespace k3d::agent::kick {
 
+namespace {
+
+AngledSwing tuned_slant() {
+    AngledSwing a;
+    a.place.ball_forward = 0.156;
+    a.place.ball_outward = 0.099;
+    a.place.reach_forward = 0.035;
+    a.place.reach_sideways = 0.035;
+    a.place.reach_direction_deg = 16;
+    a.place.aim_outward_deg = 47;
+    a.swing.reach_m = 4.6;
+    a.swing.duration_s = {0.24, 0.02, 0.02, 0.02, 0.06};
+    a.swing.kicking.hip_yaw_pitch_deg = {-2.3, -42.7, -0.1, -9.1, -48.3};
+    a.swing.kicking.hip_roll_deg = {0.1, -43.3, 10.2, 16.1, -39};
+    a.swing.kicking.hip_pitch_deg = {65.2, -10.3, 83.7, 99, 61};
+    a.swing.kicking.knee_deg = {-74.4, 0, -14.3, -3.4, -27.9};
+    a.swing.kicking.ankle_pitch_deg = {3.7, 44.6, -29.2, -8.9, 49.1};
+    a.swing.kicking.ankle_roll_deg = {-24, 15.1, -4.8, -6, -3.9};
+    a.swing.support.hip_yaw_pitch_deg = {-26.7, -8.7, -32.8, -4.8, 0};
+    a.swing.support.hip_roll_deg = {-23.1, 20.2, 3.5, 9.1, 23.9};
+    a.swing.support.hip_pitch_deg = {-24, 36.6, -0.1, -22.4, 31.1};
+    a.swing.support.knee_deg = {-27.4, -56.5, -25, -36.4, -63.3};
+    a.swing.support.ankle_pitch_deg = {60.6, -44, 42.3, -9.8, 74};
+    a.swing.support.ankle_roll_deg = {11.5, 18.5, 7.7, 8, 15.4};
+    a.swing.stand_s = 0.1;
+    return a;
+}
+
+AngledSwing tuned_square() {
+    AngledSwing a;
+    a.place.ball_forward = 0.152;
+    a.place.ball_outward = 0.135;
+    a.place.reach_forward = 0.035;
+    a.place.reach_sideways = 0.04;
+    a.place.reach_direction_deg = 16;
+    a.place.aim_outward_deg = 77;
+    a.swing.reach_m = 4.6;
+    a.swing.duration_s = {0.2, 0.02, 0.02, 0.02, 0.02};
+    a.swing.kicking.hip_yaw_pitch_deg = {-27.8, -67.9, 0, -36.1, -48.1};
+    a.swing.kicking.hip_roll_deg = {24, -23.8, 24, 21.1, -30.9};
+    a.swing.kicking.hip_pitch_deg = {45.1, -24, 66.5, 83.6, 78.5};
+    a.swing.kicking.knee_deg = {-83.6, -67.8, -3.7, -37.3, -54.1};
+    a.swing.kicking.ankle_pitch_deg = {16.8, 56.5, 8.1, -7.5, 73.6};
+    a.swing.kicking.ankle_roll_deg = {-15.4, 9.6, -16.1, -23.8, 21.7};
+    a.swing.support.hip_yaw_pitch_deg = {-24, 0, -56.1, -0.2, -6.7};
+    a.swing.support.hip_roll_deg = {-23.1, 44, 27.2, 2.4, 5.7};
+    a.swing.support.hip_pitch_deg = {-19, 80.4, -0.3, -1.8, 11.8};
+    a.swing.support.knee_deg = {-71.9, -28.8, -35, -40.2, -68.8};
+    a.swing.support.ankle_pitch_deg = {74, -16.4, 3.8, 29.7, 73.3};
+    a.swing.support.ankle_roll_deg = {-39.8, 17.7, 7.7, 19.8, -8};
+    a.swing.stand_s = 0.1;
+    return a;
+}
+
+}  // namespace
+
 Config::Config() {
-    ball_forward = 0.167;
-    ball_outward = 0.033;
-    aim_outward_deg = 0;
-    reach_forward = 0.025;
-    reach_sideways = 0.045;
-    reach_direction_deg = 12;
+    straight.ball_forward = 0.167;
+    straight.ball_outward = 0.033;
+    straight.aim_outward_deg = 0;
+    straight.reach_forward = 0.025;
+    straight.reach_sideways = 0.045;
+    straight.reach_direction_deg = 12;
 
     far.reach_m = 5.8;
     far.duration_s = {0.24, 0.02, 0.02, 0.02, 0.18};
@@ -46,6 +102,9 @@ Config::Config() {
     near.support.ankle_pitch_deg = {24.5, 53.5, 45.9, 4.4, 46.6};
     near.support.ankle_roll_deg = {14, 18.3, 20.7, 6.2, -9};
     near.stand_s = 0.32;
+
+    slant = tuned_slant();
+    square = tuned_square();
 }
 
 double Config::far_share(double distance) const {

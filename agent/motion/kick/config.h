@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Parameters of the kick: where the ball must lie, and the keyframes of a far and a near swing of
-// the right foot, which the left one mirrors.
+// Parameters of the kick: where the ball must lie, and the keyframes of swings of the right foot,
+// which the left one mirrors: a far and a near one straight ahead, and two to the outside.
 #pragma once
 
 #include <vector>
@@ -48,28 +48,15 @@ struct Swing {
     }
 };
 
-struct Config {
-    // The ball's place in the robot's frame for a kick with the right foot (mirrored for the left),
-    // how far off it may lie, and where the ball then goes.
+/// The ball's place in the robot's frame for a kick with the right foot (mirrored for the left),
+/// how far off it may lie, and where the ball then goes.
+struct Placement {
     double ball_forward = 0.17;
     double ball_outward = 0.028;
     double reach_forward = 0.03;
     double reach_sideways = 0.025;
     double reach_direction_deg = 12.0;
     double aim_outward_deg = 0.0;
-
-    double settle_rate = 0.8;
-    double settle_limit_s = 0.4;
-
-    Swing far;   ///< as far as it goes
-    Swing near;  ///< for short passes
-
-    Config();  ///< the tuned values
-
-    /// How the swing for `distance` is mixed: 0 is near, 1 is far.
-    double far_share(double distance) const;
-    /// How far the ball goes when `distance` is wanted.
-    double reach_for(double distance) const;
 
     void describe(config::Fields& f) {
         f.number("ball_forward", ball_forward, {0.0, 0.5}, "m",
@@ -82,14 +69,55 @@ struct Config {
                  "how far off the ball may lie, to either side");
         f.number("reach_direction_deg", reach_direction_deg, {0.1, 90.0}, "deg",
                  "how far the kick's direction may be off the one wanted");
-        f.number("aim_outward_deg", aim_outward_deg, {-45.0, 45.0}, "deg",
+        f.number("aim_outward_deg", aim_outward_deg, {-135.0, 135.0}, "deg",
                  "the ball goes this much to the kicking foot's side of straight ahead");
+    }
+};
+
+/// A swing that sends the ball aside, so that the robot need not walk round it first. It knows one
+/// distance.
+struct AngledSwing {
+    bool on = true;
+    Placement place;
+    Swing swing;
+
+    void describe(config::Fields& f) {
+        f.boolean("on", on, "whether the robot kicks this way");
+        place.describe(f);
+        swing.describe(f);
+    }
+};
+
+struct Config {
+    Placement straight;
+    double settle_rate = 0.8;
+    double settle_limit_s = 0.4;
+
+    Swing far;   ///< as far as it goes
+    Swing near;  ///< for short passes
+    AngledSwing slant;   ///< half to the side
+    AngledSwing square;  ///< to the side
+    double angled_miss_m = 1.0;
+
+    Config();  ///< the tuned values
+
+    /// How the swing for `distance` is mixed: 0 is near, 1 is far.
+    double far_share(double distance) const;
+    /// How far the ball goes when `distance` is wanted and the kick goes straight ahead.
+    double reach_for(double distance) const;
+
+    void describe(config::Fields& f) {
+        straight.describe(f);
         f.number("settle_rate", settle_rate, {0.01, 20.0}, "rad/s",
                  "turning slower than this after the swing counts as standing quietly");
         f.number("settle_limit_s", settle_limit_s, {0.02, 2.0}, "s",
                  "longest wait for standing quietly");
         f.section("far", far);
         f.section("near", near);
+        f.number("angled_miss_m", angled_miss_m, {0.0, 20.0}, "m",
+                 "slant and square are used where their reach is off the wanted distance by less");
+        f.section("slant", slant);
+        f.section("square", square);
     }
 };
 

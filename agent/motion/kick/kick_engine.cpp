@@ -50,25 +50,33 @@ void set_leg(JointArray& pose, const std::array<JointId, 6>& joints, const LegFr
 
 }  // namespace
 
-JointArray KickEngine::pose_of(double far_share, std::size_t k) const {
-    const bool mirrored = foot_ == Foot::Left;
-    const Swing& near = config_.near;
-    const Swing& far = config_.far;
+KickEngine::Mix KickEngine::mix_for(double distance) const {
+    switch (strike_.way) {
+        case Way::Straight: break;
+        case Way::Slant: return {config_.slant.swing, config_.slant.swing, 0.0};
+        case Way::Square: return {config_.square.swing, config_.square.swing, 0.0};
+    }
+    return {config_.near, config_.far, config_.far_share(distance)};
+}
+
+JointArray KickEngine::pose_of(const Mix& mix, std::size_t k) const {
+    const bool mirrored = strike_.foot == Foot::Left;
+    const auto& [near, far, share] = mix;
     JointArray pose = stand_;  // the arms stay
-    set_leg(pose, mirrored ? kLeftLeg : kRightLeg, near.kicking, far.kicking, k, far_share, mirrored);
-    set_leg(pose, mirrored ? kRightLeg : kLeftLeg, near.support, far.support, k, far_share, mirrored);
+    set_leg(pose, mirrored ? kLeftLeg : kRightLeg, near.kicking, far.kicking, k, share, mirrored);
+    set_leg(pose, mirrored ? kRightLeg : kLeftLeg, near.support, far.support, k, share, mirrored);
     return pose;
 }
 
 void KickEngine::start(const motion::Kick& kick, const JointArray& stand) {
-    foot_ = kicking_foot(config_, kick).value_or(kick.ball.y() > 0.0 ? Foot::Left : Foot::Right);
+    strike_ = possible_strike(config_, kick)
+                  .value_or(Strike{Way::Straight, kick.ball.y() > 0.0 ? Foot::Left : Foot::Right});
     stand_ = stand;
     frames_.clear();
-    const double share = config_.far_share(kick.distance);
-    const Swing& near = config_.near;
-    const Swing& far = config_.far;
+    const Mix mix = mix_for(kick.distance);
+    const auto& [near, far, share] = mix;
     for (std::size_t k = 0; k < far.duration_s.size(); ++k) {
-        frames_.push_back({mixed(near.duration_s[k], far.duration_s[k], share), pose_of(share, k)});
+        frames_.push_back({mixed(near.duration_s[k], far.duration_s[k], share), pose_of(mix, k)});
     }
     frames_.push_back({mixed(near.stand_s, far.stand_s, share), stand_});
     frame_ = 0;

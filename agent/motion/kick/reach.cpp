@@ -11,42 +11,56 @@ namespace {
 /// +1 if the left foot kicks: its side of the robot.
 double side(Foot foot) { return foot == Foot::Left ? 1.0 : -1.0; }
 
-/// Where the ball shall lie in the robot's frame.
-Vec2 ball_place(const Config& c, Foot foot) {
-    return {c.ball_forward, side(foot) * c.ball_outward};
+const Placement& placement(const Config& c, Way way) {
+    switch (way) {
+        case Way::Straight: return c.straight;
+        case Way::Slant: return c.slant.place;
+        case Way::Square: break;
+    }
+    return c.square.place;
 }
 
-/// Where the ball goes in the robot's frame: a swing may send it a little to the side.
-double aim(const Config& c, Foot foot) { return side(foot) * radians(c.aim_outward_deg); }
+/// Where the ball shall lie in the robot's frame.
+Vec2 ball_place(const Placement& p, Foot foot) {
+    return {p.ball_forward, side(foot) * p.ball_outward};
+}
+
+/// Where the ball goes in the robot's frame.
+double aim(const Placement& p, Foot foot) { return side(foot) * radians(p.aim_outward_deg); }
 
 /// How far off the ball and the direction are, as multiples of what is allowed.
-double misfit(const Config& c, const motion::Kick& kick, Foot foot) {
-    const Vec2 off = kick.ball - ball_place(c, foot);
-    const double turn = std::abs(wrap_angle(kick.direction - aim(c, foot)));
-    return std::max({std::abs(off.x()) / c.reach_forward, std::abs(off.y()) / c.reach_sideways,
-                     turn / radians(c.reach_direction_deg)});
+double misfit(const Placement& p, const motion::Kick& kick, Foot foot) {
+    const Vec2 off = kick.ball - ball_place(p, foot);
+    const double turn = std::abs(wrap_angle(kick.direction - aim(p, foot)));
+    return std::max({std::abs(off.x()) / p.reach_forward, std::abs(off.y()) / p.reach_sideways,
+                     turn / radians(p.reach_direction_deg)});
 }
 
 }  // namespace
 
-Pose2 stand_pose(const Config& c, const Vec2& ball, double direction, Foot foot) {
-    const double yaw = wrap_angle(direction - aim(c, foot));
-    return {ball - rotated(ball_place(c, foot), yaw), yaw};
+bool suits(const Config& c, const Strike& strike, double distance) {
+    if (strike.way == Way::Straight) return true;
+    const AngledSwing& angled = strike.way == Way::Slant ? c.slant : c.square;
+    return angled.on && std::abs(distance - angled.swing.reach_m) <= c.angled_miss_m;
 }
 
-Pose2 stand_pose_near(const Config& c, const Pose2& self, const Vec2& ball, double direction) {
-    const Pose2 right = stand_pose(c, ball, direction, Foot::Right);
-    const Pose2 left = stand_pose(c, ball, direction, Foot::Left);
-    const double to_right = (right.position - self.position).squaredNorm();
-    const double to_left = (left.position - self.position).squaredNorm();
-    return to_left < to_right ? left : right;
+Pose2 stand_pose(const Config& c, const Vec2& ball, double direction, const Strike& strike) {
+    const Placement& p = placement(c, strike.way);
+    const double yaw = wrap_angle(direction - aim(p, strike.foot));
+    return {ball - rotated(ball_place(p, strike.foot), yaw), yaw};
 }
 
-std::optional<Foot> kicking_foot(const Config& c, const motion::Kick& kick) {
-    const double right = misfit(c, kick, Foot::Right);
-    const double left = misfit(c, kick, Foot::Left);
-    if (std::min(right, left) > 1.0) return std::nullopt;
-    return left < right ? Foot::Left : Foot::Right;
+std::optional<Strike> possible_strike(const Config& c, const motion::Kick& kick) {
+    std::optional<Strike> best;
+    double least = 1.0;
+    for (const Strike& strike : kStrikes) {
+        if (!suits(c, strike, kick.distance)) continue;
+        const double off = misfit(placement(c, strike.way), kick, strike.foot);
+        if (off > least || (best && off == least)) continue;
+        least = off;
+        best = strike;
+    }
+    return best;
 }
 
 }  // namespace k3d::agent::kick

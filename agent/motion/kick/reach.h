@@ -5,6 +5,7 @@
 // the frame in which ball and direction are given. Metres, radians.
 #pragma once
 
+#include <array>
 #include <optional>
 
 #include "agent/motion/kick/config.h"
@@ -13,20 +14,37 @@
 namespace k3d::agent::kick {
 
 enum class Foot { Right, Left };
+enum class Way { Straight, Slant, Square };
 
-/// The pose from which this foot sends a ball at `ball` towards `direction`.
-Pose2 stand_pose(const Config& config, const Vec2& ball, double direction, Foot foot);
+/// One of the things the engine can do: a swing with a foot.
+struct Strike {
+    Way way = Way::Straight;
+    Foot foot = Foot::Right;
 
-/// The same with the foot whose stand pose is nearer to `self`.
-Pose2 stand_pose_near(const Config& config, const Pose2& self, const Vec2& ball, double direction);
+    bool operator==(const Strike&) const = default;
+};
 
-/// The foot that can send the ball along kick.direction from where the robot stands now, if any;
-/// the better placed one if both can. Distance plays no role: the engine does what it can.
-std::optional<Foot> kicking_foot(const Config& config, const motion::Kick& kick);
+/// All of them, the more precise ones first.
+inline constexpr std::array<Strike, 6> kStrikes{{{Way::Straight, Foot::Right},
+                                                 {Way::Straight, Foot::Left},
+                                                 {Way::Slant, Foot::Right},
+                                                 {Way::Slant, Foot::Left},
+                                                 {Way::Square, Foot::Right},
+                                                 {Way::Square, Foot::Left}}};
+
+/// Is it switched on, and does it send the ball about that far?
+bool suits(const Config& config, const Strike& strike, double distance);
+
+/// The pose from which this strike sends a ball at `ball` towards `direction`.
+Pose2 stand_pose(const Config& config, const Vec2& ball, double direction, const Strike& strike);
+
+/// The strike that can send the ball along kick.direction from where the robot stands now, if any;
+/// the best placed one if several can. The straight ones take any distance and do what they can.
+std::optional<Strike> possible_strike(const Config& config, const motion::Kick& kick);
 
 /// Does the ball lie in reach of a foot for this kick?
 inline bool kick_possible(const Config& config, const motion::Kick& kick) {
-    return kicking_foot(config, kick).has_value();
+    return possible_strike(config, kick).has_value();
 }
 
 }  // namespace k3d::agent::kick

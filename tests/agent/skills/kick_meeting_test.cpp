@@ -33,7 +33,7 @@ Vec2 later(const world::Ball& ball, double time) {
 }
 
 Pose2 stance_for(const Vec2& ball) {
-    return kKick.stand_pose({}, ball, yaw_of(kTarget - ball));
+    return kKick.stand_pose(0, ball, yaw_of(kTarget - ball));
 }
 
 TEST(KickMeeting, ABallAtRestIsKickedWhereItLies) {

@@ -36,7 +36,9 @@ inline world::Beliefs scene(int unum, Pose2 pose, Vec2 ball, double now = 10.0) 
 
 /// A kick from 0.2 m straight behind the ball, possible within 0.4 m, as far as wanted.
 inline skills::KickGeometry simple_kick() {
-    return {[](const Pose2&, const Vec2& ball, double yaw) {
+    return {1,
+            [](int, double) { return true; },
+            [](int, const Vec2& ball, double yaw) {
                 return Pose2{ball - direction(yaw) * 0.2, yaw};
             },
             [](const motion::Kick& kick) { return kick.ball.norm() < 0.4; },

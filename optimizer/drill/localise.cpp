@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Where am I: while walking about, and after a kidnap.
+// Where am I: while walking about, after a kidnap and after a fall.
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -13,12 +13,34 @@ namespace {
 constexpr double kFoundPosition = 0.25;        // m: knows again where it is
 constexpr double kFoundYaw = radians(10.0);
 constexpr double kJump = 0.5;                  // m in one frame: a kidnap
+constexpr double kStands = 0.97;               // cosine of the tilt of who stands again
 
 bool found(const Moment& m) {
     if (!m.belief) return false;
     const Pose2& truth = m.truth.robot->pose;
     return (m.belief->pose.position - truth.position).norm() < kFoundPosition &&
            std::abs(wrap_angle(m.belief->pose.yaw - truth.yaw)) < kFoundYaw;
+}
+
+/// After each fall, from standing again until it knows where it is, s.
+std::vector<double> times_after_falls(const std::vector<Moment>& moments) {
+    std::vector<double> times;
+    bool down = false;
+    std::optional<double> up;
+    for (const Moment& m : moments) {
+        if (is_down(m.truth)) {
+            down = true;
+            up.reset();
+        } else if (down && m.truth.robot->up > kStands) {
+            down = false;
+            up = m.time;
+        }
+        if (!up || !found(m)) continue;
+        times.push_back(m.time - *up);
+        up.reset();
+    }
+    if (up) times.push_back(moments.back().time - *up);  // never found
+    return times;
 }
 
 Measured measure_localisation(const std::vector<Moment>& moments) {
@@ -53,6 +75,11 @@ Measured measure_localisation(const std::vector<Moment>& moments) {
         out.metrics["recovery_s"] = mean_of(recovery);
         out.metrics["recovery_longest_s"] = quantile(recovery, 1.0);
     }
+    if (const std::vector<double> after = times_after_falls(moments); !after.empty()) {
+        out.metrics["known_after_fall_s"] = mean_of(after);
+        out.metrics["known_after_fall_longest_s"] = quantile(after, 1.0);
+    }
+    out.metrics["falls"] = count_falls(moments);
     return out;
 }
 
@@ -73,7 +100,8 @@ Plan plan_localise(const spec::DrillSpec& spec, int, RandomStream& random) {
     plan.agent_settings = {"drill.task=go_to",
                            fmt::format("drill.half_area={}", s.go_to_half_area),
                            fmt::format("drill.shortest={}", s.go_to_shortest),
-                           fmt::format("drill.longest={}", s.go_to_longest)};
+                           fmt::format("drill.longest={}", s.go_to_longest),
+                           fmt::format("drill.fall_every={}", s.fall_every_s)};
     plan.act = [=](Stage& stage) {
         const auto never = [](const Truth&) { return false; };
         stage.begin(places.front(), ball_at({-5.0, 0.0}));

@@ -26,6 +26,7 @@ struct DrillSetup {
     double go_to_reached = 0.3;
     double localise_s = 60.0;
     double kidnap_every_s = 12.0;
+    double fall_every_s = 0.0;
     double ball_distance = 1.0;
     double ball_bearing_deg = 30.0;
     double target_distance = 5.0;
@@ -49,6 +50,8 @@ struct DrillSetup {
         f.number("localise_s", localise_s, {5.0, 250.0}, "s", "localise: how long");
         f.number("kidnap_every_s", kidnap_every_s, {0.0, 250.0}, "s",
                  "localise: time from one kidnap to the next; 0 = none");
+        f.number("fall_every_s", fall_every_s, {0.0, 250.0}, "s",
+                 "localise: time from one fall to the next; 0 = none");
         f.number("ball_distance", ball_distance, {0.3, 8.0}, "m", "kick: from robot to ball");
         f.number("ball_bearing_deg", ball_bearing_deg, {0.0, 180.0}, "deg",
                  "kick: the ball lies up to this far off straight ahead");

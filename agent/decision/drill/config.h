@@ -22,6 +22,7 @@ struct DrillConfig {
     double target_x = 0.0;
     double target_y = 0.0;
     std::string fall = "front";
+    double fall_every = 0.0;
 
     void describe(config::Fields& f) {
         f.text("task", task, {"stand", "walk", "go_to", "kick", "possess", "get_up"},
@@ -38,6 +39,9 @@ struct DrillConfig {
         f.number("target_x", target_x, {-30.0, 30.0}, "m", "kick, possess: where the ball shall go");
         f.number("target_y", target_y, {-30.0, 30.0}, "m", "kick, possess: where the ball shall go");
         f.text("fall", fall, {"front", "back", "left", "right"}, "get_up: which way to fall");
+        f.number("fall_every", fall_every, {0.0, 250.0}, "s",
+                 "go_to: time from one fall on purpose to the next, to the front, back, left and right "
+                 "in turn; 0 = none");
     }
 };
 

@@ -2,12 +2,20 @@
 // One skill at a time.
 #include "agent/decision/drill/drill.h"
 
+#include <array>
+
 #include "agent/skills/look.h"
 
 namespace k3d::agent::decision {
 namespace {
 
 constexpr double kToppleRate = 2.5;  // rad/s of the ankles: over within half a second
+
+motion::Topple topple_to(const std::string& way) {
+    if (way == "front") return {kToppleRate, 0.0};
+    if (way == "back") return {-kToppleRate, 0.0};
+    return {0.0, way == "left" ? kToppleRate : -kToppleRate};
+}
 
 }  // namespace
 
@@ -35,11 +43,20 @@ motion::BodyRequest Drill::act(const world::Beliefs& b, const motion::State& bod
     if (config_.task == "walk") return motion::Walk{config_.forward, config_.left, config_.turn};
     if (config_.task == "get_up") return fall(body);
     if (config_.task == "stand" || !b.self.upright) return motion::Stand{};
-    if (config_.task == "go_to") return go_to(b, account);
+    if (config_.task == "go_to") return go_to(b, body, account);
     return kick(b, body, account);
 }
 
-motion::BodyRequest Drill::go_to(const world::Beliefs& b, Account& account) {
+motion::BodyRequest Drill::go_to(const world::Beliefs& b, const motion::State& body,
+                                 Account& account) {
+    if (config_.fall_every > 0.0) {
+        if (fall_at_ == 0.0 || body.falls > falls_) {
+            fall_at_ = b.now + config_.fall_every;
+            falls_ = body.falls;
+        }
+        constexpr std::array<const char*, 4> kWays{"front", "back", "left", "right"};
+        if (b.now >= fall_at_) return topple_to(kWays[static_cast<std::size_t>(falls_) % kWays.size()]);
+    }
     if (b.now >= place_until_) {
         const double half = config_.half_area;
         place_.position = {config_.centre_x + places_.uniform(-half, half),
@@ -79,9 +96,7 @@ motion::BodyRequest Drill::kick(const world::Beliefs& b, const motion::State& bo
 motion::BodyRequest Drill::fall(const motion::State& body) {
     done_ = done_ || body.falls > 0;
     if (done_) return motion::Stand{};
-    if (config_.fall == "front") return motion::Topple{kToppleRate, 0.0};
-    if (config_.fall == "back") return motion::Topple{-kToppleRate, 0.0};
-    return motion::Topple{0.0, config_.fall == "left" ? kToppleRate : -kToppleRate};
+    return topple_to(config_.fall);
 }
 
 }  // namespace k3d::agent::decision

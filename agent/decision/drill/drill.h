@@ -25,7 +25,7 @@ class Drill {
 
   private:
     motion::BodyRequest act(const world::Beliefs& b, const motion::State& body, Account& account);
-    motion::BodyRequest go_to(const world::Beliefs& b, Account& account);
+    motion::BodyRequest go_to(const world::Beliefs& b, const motion::State& body, Account& account);
     motion::BodyRequest kick(const world::Beliefs& b, const motion::State& body, Account& account);
     motion::BodyRequest fall(const motion::State& body);
 
@@ -36,6 +36,8 @@ class Drill {
     skills::GoTo go_to_;
     Pose2 place_;               ///< of go_to
     double place_until_ = -1.0;
+    double fall_at_ = 0.0;               ///< s, of the next fall on purpose
+    int falls_ = 0;                      ///< so far, when that one is due
     std::optional<motion::Kick> swing_;  ///< the kick asked for last or under way
     bool done_ = false;                  ///< the one kick or fall is over
 };

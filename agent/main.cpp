@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// k3d-agent: command line to configuration, the handshake with the server, and the loop.
+// k3d-agent: command line to configuration, the handshake with the server, and the loop, for one agent or
+// several in a process.
 #include <CLI/CLI.hpp>
 
 #include <chrono>
 #include <csignal>
+#include <memory>
+#include <span>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "agent/config.h"
@@ -19,6 +24,8 @@ namespace {
 
 /// Frames after which a server that wanted us would have told side and number (reference 1.5).
 constexpr int kFramesUntilSeated = 250;
+
+constexpr std::string_view kAnd = "--and";  ///< between the flags of two agents
 
 struct Options {
     std::string host = "127.0.0.1";
@@ -69,63 +76,119 @@ void add_flags(CLI::App& app, Options& options) {
                    "file for beliefs and decisions, one JSON object a line");
 }
 
-/// Scene, one percept, then init (reference 1.5); `(syn)` in each frame for sync pace.
-bool shake_hands(k3d::net::Client& client, const Options& options, const k3d::agent::Config& config,
-                 std::chrono::milliseconds patience) {
-    std::string out;
-    k3d::wire::Commands scene;
-    scene.scene = {"rsg/agent/nao/nao_hetero.rsg", {std::to_string(config.robot_type)}};
-    scene.syn = true;
-    k3d::wire::encode(scene, out);
-    client.send(out);
+/// One agent: its mind, and its own connection to the server.
+class Player {
+  public:
+    /// Connects and asks for a body: scene, then, once a percept came, init (reference 1.5); `(syn)` in
+    /// each frame for sync pace.
+    Player(const Options& options, const k3d::agent::Config& config)
+        : seat_(options.seat),
+          mind_(config, options.seat, options.telemetry),
+          patience_(static_cast<long>(config.patience * 1000.0)),
+          client_(options.socket.empty()
+                      ? k3d::net::Client(options.host, options.port, patience_)
+                      : k3d::net::Client(k3d::net::UnixPath{options.socket}, patience_)) {
+        k3d::wire::Commands scene;
+        scene.scene = {"rsg/agent/nao/nao_hetero.rsg", {std::to_string(config.robot_type)}};
+        send(scene);
+    }
 
-    std::string_view payload;
-    if (!client.receive(payload, patience)) return false;
-    k3d::wire::Commands init;
-    init.init = {options.seat.unum, options.seat.team};
-    init.syn = true;
-    out.clear();
-    k3d::wire::encode(init, out);
-    client.send(out);
-    return true;
+    /// Takes the seat; false if the server has closed in order.
+    bool sit_down() {
+        std::string_view payload;
+        if (!client_.receive(payload, patience_)) return false;
+        k3d::wire::Commands init;
+        init.init = {seat_.unum, seat_.team};
+        send(init);
+        return true;
+    }
+
+    /// One cycle; false if the server has closed in order.
+    bool play_on() {
+        std::string_view payload;
+        if (!client_.receive(payload, patience_)) return false;
+        mind_.think(payload, reply_);
+        client_.send(reply_);
+        if (frames_++ == kFramesUntilSeated && mind_.side() == k3d::wire::Side::None)
+            throw k3d::net::NetError("the server gave no place to number " +
+                                     std::to_string(seat_.unum) + " of team " + seat_.team +
+                                     ": number taken, team full, or a third team");
+        return true;
+    }
+
+  private:
+    void send(k3d::wire::Commands& commands) {
+        commands.syn = true;
+        reply_.clear();
+        k3d::wire::encode(commands, reply_);
+        client_.send(reply_);
+    }
+
+    k3d::agent::Seat seat_;
+    k3d::agent::Mind mind_;
+    std::chrono::milliseconds patience_;
+    k3d::net::Client client_;
+    std::string reply_;
+    long frames_ = 0;
+};
+
+/// All in turn, each cycle, until the server has closed to the last one.
+void play(std::vector<std::unique_ptr<Player>> players) {
+    const auto leave = [&players](auto goes_on) {
+        std::erase_if(players, [&](const auto& player) { return !goes_on(*player); });
+    };
+    leave([](Player& player) { return player.sit_down(); });
+    while (!players.empty()) leave([](Player& player) { return player.play_on(); });
 }
 
-int play(const Options& options, const k3d::agent::Config& config) {
-    k3d::agent::Mind mind(config, options.seat, options.telemetry);
-    const auto patience = std::chrono::milliseconds(static_cast<long>(config.patience * 1000.0));
-    k3d::net::Client client = options.socket.empty()
-                                  ? k3d::net::Client(options.host, options.port, patience)
-                                  : k3d::net::Client(k3d::net::UnixPath{options.socket}, patience);
-    if (!shake_hands(client, options, config, patience)) return 0;
-
-    std::string_view payload;
-    std::string reply;
-    for (long frames = 0; client.receive(payload, patience); ++frames) {
-        mind.think(payload, reply);
-        client.send(reply);
-        if (frames == kFramesUntilSeated && mind.side() == k3d::wire::Side::None)
-            throw k3d::net::NetError("the server gave no place to number " +
-                                     std::to_string(options.seat.unum) + " of team " +
-                                     options.seat.team + ": number taken, team full, or a third team");
+/// `all`: one agent's options each.
+int run(const std::vector<Options>& all) {
+    k3d::log::start("k3d-agent", all.front().line.log_level);
+    std::signal(SIGPIPE, SIG_IGN);
+    std::vector<std::unique_ptr<Player>> players;
+    for (const Options& options : all) {
+        k3d::agent::Config config;
+        k3d::config::resolve(options.line, k3d::config::describing(config));
+        if (k3d::config::print_wanted(options.line, k3d::config::describing(config))) return 0;
+        players.push_back(std::make_unique<Player>(options, config));
     }
+    play(std::move(players));
     return 0;
 }
 
-int run(const Options& options) {
-    k3d::log::start("k3d-agent", options.line.log_level);
-    k3d::agent::Config config;
-    k3d::config::resolve(options.line, k3d::config::describing(config));
-    if (k3d::config::print_wanted(options.line, k3d::config::describing(config))) return 0;
-    std::signal(SIGPIPE, SIG_IGN);
-    return play(options, config);
+/// The words of each agent, the program's name before them.
+std::vector<std::vector<char*>> split_at_and(int argc, char** argv) {
+    std::vector<std::vector<char*>> out{{argv[0]}};
+    for (int i = 1; i < argc; ++i) {
+        if (std::string_view(argv[i]) == kAnd) {
+            out.push_back({argv[0]});
+        } else {
+            out.back().push_back(argv[i]);
+        }
+    }
+    return out;
+}
+
+/// Parses agent after agent, the first of `agents` next, and runs all; returns the exit code.
+int parse_and_run(std::span<std::vector<char*>> agents, std::vector<Options>& parsed) {
+    CLI::App app{"k3d-agent: plays one simulated Nao on a SimSpark-protocol server"};
+    app.set_version_flag("--version", std::string(k3d::code_version()));
+    app.footer(
+        "FLAGS --and FLAGS: another agent in the same process, which costs less; each has its own "
+        "connection and no word of the other.");
+    Options options;
+    add_flags(app, options);
+    std::vector<char*>& words = agents.front();
+    return k3d::config::run_program(app, static_cast<int>(words.size()), words.data(), "k3d-agent", [&] {
+        parsed.push_back(options);
+        return agents.size() == 1 ? run(parsed) : parse_and_run(agents.subspan(1), parsed);
+    });
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-    CLI::App app{"k3d-agent: plays one simulated Nao on a SimSpark-protocol server"};
-    app.set_version_flag("--version", std::string(k3d::code_version()));
-    Options options;
-    add_flags(app, options);
-    return k3d::config::run_program(app, argc, argv, "k3d-agent", [&] { return run(options); });
+    std::vector<std::vector<char*>> agents = split_at_and(argc, argv);
+    std::vector<Options> parsed;
+    return parse_and_run(agents, parsed);
 }

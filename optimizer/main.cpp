@@ -82,6 +82,9 @@ void add_match_flags(CLI::App& match, Options& options) {
             "--no-viewer", [&options] { options.fields.emplace_back("http_port", "-1"); },
             "no page")
         ->excludes(http);
+    match.add_flag_callback(
+        "--one-process", [&options] { options.fields.emplace_back("one_process", "true"); },
+        "our own agents share a process: the same lines for less processor time");
     match
         .add_option_function<std::vector<std::string>>(
             "--set",

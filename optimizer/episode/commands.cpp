@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
 #include "common/net/net.h"
 #include "optimizer/spec/agent_fields.h"
 #include "optimizer/spec/settings.h"
@@ -13,6 +15,7 @@ namespace k3d::optimizer::episode {
 namespace {
 
 constexpr const char* kHost = "127.0.0.1";
+constexpr std::size_t kNone = static_cast<std::size_t>(-1);
 
 void add(std::vector<std::string>& words, const char* flag, const std::string& value) {
     if (!value.empty()) words.insert(words.end(), {flag, value});
@@ -134,6 +137,29 @@ std::vector<std::string> agent_command(const spec::MatchSpec& spec, const Task& 
     add(words, "--config", spec.agent_config);
     add_all(words, seat.keeper ? settings.keeper : settings.taker);
     return words;
+}
+
+std::vector<AgentProcess> agent_processes(const spec::MatchSpec& spec, const Task& task,
+                                          const std::string& folder, int port,
+                                          const std::string& socket) {
+    std::vector<AgentProcess> out;
+    std::size_t shared = kNone;  // place of the process that our agents share
+    for (const Seat& seat : seats(spec)) {
+        std::vector<std::string> words = agent_command(spec, task, folder, seat, port, socket);
+        const bool foreign = is_foreign(spec, seat);
+        if (foreign || !spec.one_process) {
+            out.push_back({seat.name(), foreign, fmt::format("{}/{}.log", folder, seat.file_stem()),
+                           std::move(words)});
+        } else if (shared == kNone) {
+            shared = out.size();
+            out.push_back({"agents", false, folder + "/agents.log", std::move(words)});
+        } else {
+            std::vector<std::string>& command = out[shared].command;
+            command.push_back("--and");
+            command.insert(command.end(), words.begin() + 1, words.end());
+        }
+    }
+    return out;
 }
 
 }  // namespace k3d::optimizer::episode

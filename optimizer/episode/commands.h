@@ -30,6 +30,14 @@ std::string telemetry_file(const std::string& folder, const Seat& seat);
 /// Where the server may listen for our agents besides its port; empty if the name would be too long.
 std::string agent_socket(const std::string& folder);
 
+/// A process beside the server: one agent, or all of ours (MatchSpec::one_process).
+struct AgentProcess {
+    std::string name;  ///< "keeper 2", or "agents"
+    bool foreign = false;
+    std::string log_file;
+    std::vector<std::string> command;
+};
+
 /// `http_port` -1: no page.
 std::vector<std::string> server_command(const spec::MatchSpec& spec, const Task& task,
                                         const std::string& folder, int http_port);
@@ -37,5 +45,9 @@ std::vector<std::string> server_command(const spec::MatchSpec& spec, const Task&
 std::vector<std::string> agent_command(const spec::MatchSpec& spec, const Task& task,
                                        const std::string& folder, const Seat& seat, int port,
                                        const std::string& socket = {});
+/// Of all seats, in their order.
+std::vector<AgentProcess> agent_processes(const spec::MatchSpec& spec, const Task& task,
+                                          const std::string& folder, int port,
+                                          const std::string& socket);
 
 }  // namespace k3d::optimizer::episode

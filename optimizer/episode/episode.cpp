@@ -96,12 +96,9 @@ void Episode::start_agents(int port) {
     std::error_code ignored;
     if (!std::filesystem::exists(socket, ignored)) socket.clear();
     const bool batch = spec_.pace == "fast";
-    for (const Seat& seat : seats(spec_)) {
-        const std::string log = fmt::format("{}/{}.log", folder_, seat.file_stem());
-        agents_.push_back(
-            {seat, is_foreign(spec_, seat), log,
-             process::Child(
-                 {agent_command(spec_, task_, folder_, seat, port, socket), log, false, batch})});
+    for (AgentProcess& start : agent_processes(spec_, task_, folder_, port, socket)) {
+        process::Child child({std::move(start.command), start.log_file, false, batch});
+        agents_.push_back({std::move(start.name), start.foreign, start.log_file, std::move(child)});
     }
 }
 
@@ -115,7 +112,7 @@ std::optional<Ending> Episode::watch() {
     for (Agent& agent : agents_) {
         const auto exit = agent.child.poll();
         if (!exit) continue;
-        const std::string end = describe_end(agent.seat.name(), *exit, agent.log_file);
+        const std::string end = describe_end(agent.name, *exit, agent.log_file);
         if (!agent.foreign && exit->code == kExitUsage) return fail(end, kExitUsage);
         if (deserter_.empty()) deserted_ = Clock::now();
         // Who ended in disorder is the cause, and the others may only have followed.
@@ -138,7 +135,7 @@ std::optional<Ending> Episode::wait_for_agents_to_leave() {
         if (!in_order || agent.child.poll()) continue;
         if (Clock::now() < patience_with(agent)) return std::nullopt;
         // Its telemetry may lack an end; only where none is read is that no matter.
-        if (!agent.foreign) return fail(agent.seat.name() + " did not end with the server");
+        if (!agent.foreign) return fail(agent.name + " did not end with the server");
     }
     Ending ending = collect(spec_, task_, folder_, *server_exit_);
     if (!ending && server_exit_->code == kServerLostAnAgent && deserter_code_ != 0) {

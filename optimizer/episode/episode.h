@@ -38,7 +38,7 @@ class Episode {
     enum class Phase { Starting, Playing, Leaving };
 
     struct Agent {
-        Seat seat;
+        std::string name;
         bool foreign;
         std::string log_file;
         process::Child child;

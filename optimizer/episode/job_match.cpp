@@ -40,6 +40,8 @@ spec::MatchSpec match_of(const Job& job, const std::string& folder) {
     for (const std::string& setting : settings_of(job, folder)) {
         match.settings += " " + spec::quote_word(task.tuned + ":" + setting);
     }
+    // What is reported is played as matches are, by distinct processes.
+    match.one_process = job.key.phase == Phase::Train || job.key.phase == Phase::Validation;
     match.retries = 0;
     match.deadline_s = task.deadline_s;
     match.lobby_s = task.lobby_s;

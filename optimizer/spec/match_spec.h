@@ -26,6 +26,7 @@ struct MatchSpec {
     std::string settings;
     // How it is carried out.
     int jobs = 1;
+    bool one_process = false;
     int retries = 3;
     double deadline_s = 1800.0;
     double lobby_s = 60.0;
@@ -55,6 +56,8 @@ struct MatchSpec {
                "words PROGRAM:path=value passed on as --set path=value, PROGRAM one of server, "
                "agent, keeper, taker");
         f.integer("jobs", jobs, {1, 256}, "", "episodes at a time; no result depends on it");
+        f.boolean("one_process", one_process,
+                  "our own agents share a process: the same lines for a third less processor time");
         f.integer("retries", retries, {0, 100}, "",
                   "further tries of an episode that gave no valid result");
         f.number("deadline_s", deadline_s, {0.1, 86400.0}, "s", "wall time of one try");

@@ -107,14 +107,16 @@ TEST_F(Match, EachEpisodeHasSixProcessesOfItsOwn) {
     EXPECT_EQ(agents.size(), 10U);
 }
 
-TEST_F(Match, SameSeedSameLinesWhateverTheJobsAndAnotherSeedOthers) {
+TEST_F(Match, SameSeedSameLinesWhateverTheJobsAndProcessesAndAnotherSeedOthers) {
     const Flags flags = Flags{"--episodes", "3"} + kShort;
     const auto one = play("one", flags + Flags{"--seed", "11", "--jobs", "1"});
     const auto two = play("two", flags + Flags{"--seed", "11", "--jobs", "2"});
+    const auto shared = play("shared", flags + Flags{"--seed", "11", "--one-process"});
     const auto other = play("other", flags + Flags{"--seed", "71", "--jobs", "2"});
     ASSERT_EQ(one.size(), 3U);
     ASSERT_EQ(other.size(), 3U);
     EXPECT_EQ(one, two);
+    EXPECT_EQ(one, shared) << "five agents in one process";
     std::set<std::string> hashes;
     for (const auto& lines : {one, other}) {
         for (const std::string& line : lines) hashes.insert(episode::from_line(line).state_hash);

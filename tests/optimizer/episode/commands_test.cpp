@@ -90,5 +90,35 @@ TEST(Commands, AForeignProgramIsStartedAsTheUserWroteIt) {
     EXPECT_FALSE(is_foreign(spec, {true, 1}));
 }
 
+std::vector<std::string> names(const std::vector<AgentProcess>& processes) {
+    std::vector<std::string> out;
+    for (const AgentProcess& process : processes) out.push_back(process.name);
+    return out;
+}
+
+TEST(Commands, EverySeatHasAProcessUnlessOursShareOne) {
+    spec::MatchSpec spec;
+    const auto apart = agent_processes(spec, {}, "/f", 99, "");
+    EXPECT_THAT(names(apart),
+                ElementsAre("keeper 1", "keeper 2", "keeper 3", "taker 1", "taker 2"));
+    EXPECT_EQ(apart[3].command, agent_command(spec, {}, "/f", {false, 1}, 99));
+
+    spec.one_process = true;
+    const auto shared = agent_processes(spec, {}, "/f", 99, "");
+    ASSERT_THAT(names(shared), ElementsAre("agents"));
+    std::vector<std::string> all;
+    for (const AgentProcess& process : apart) {
+        if (!all.empty()) all.emplace_back("--and");
+        all.insert(all.end(), process.command.begin() + (all.empty() ? 0 : 1), process.command.end());
+    }
+    EXPECT_EQ(shared[0].command, all) << "the program's name once, each agent's own words";
+
+    spec.keeper_command = "./theirs {unum}";
+    const auto foreign = agent_processes(spec, {}, "/f", 99, "");
+    EXPECT_THAT(names(foreign), ElementsAre("keeper 1", "keeper 2", "keeper 3", "agents"));
+    EXPECT_TRUE(foreign[0].foreign);
+    EXPECT_FALSE(foreign[3].foreign);
+}
+
 }  // namespace
 }  // namespace k3d::optimizer::episode

@@ -25,7 +25,7 @@ struct KeepawayConfig {
 struct KeeperConfig {
     std::string policy = "handcoded";
     std::string open;
-    double hold_threshold = 2.4;
+    double hold_threshold = 1.6;
     double role_hysteresis = 0.4;
     double tie_margin = 0.5;
     double claim_memory = 0.6;
@@ -37,12 +37,15 @@ struct KeeperConfig {
     double stance_margin = 0.12;
     double landing_margin = 0.4;
     double landing_error = 0.8;
+    double lane_margin = 0.4;
+    double lane_far = 5.0;
+    double lane_near = 1.5;
     double pressure_far = 2.0;
     double pressure_near = 0.7;
     double evade_distance = 0.5;
     double taker_speed = 0.75;
     double taker_reach = 0.35;
-    double kick_time_s = 0.9;
+    double kick_time_s = 1.2;
     double patience_s = 0.3;
     double change_s = 0.4;
 
@@ -74,6 +77,11 @@ struct KeeperConfig {
                  "no targets for which the kick would send the ball nearer to the boundary");
         f.number("landing_error", landing_error, {0.0, 20.0}, "m",
                  "nor those that the kick would miss by more, short or far");
+        f.number("lane_margin", lane_margin, {-20.0, 20.0}, "m",
+                 "nor those towards which the ball would pass a taker near by at less than this");
+        f.number("lane_far", lane_far, {0.0, 20.0}, "m", "near by: not farther from the ball");
+        f.number("lane_near", lane_near, {0.0, 20.0}, "m",
+                 "how near to the ball it is supposed to have come when it is kicked");
         f.number("pressure_far", pressure_far, {0.0, 20.0}, "m",
                  "a taker this near to the ball begins to loosen the kick's tolerances");
         f.number("pressure_near", pressure_near, {0.0, 20.0}, "m",

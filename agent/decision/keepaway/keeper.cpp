@@ -37,6 +37,15 @@ std::optional<Vec2> away_from_takers(const world::Beliefs& b, double distance) {
     return Vec2(self + kEvadeStep * away.normalized());
 }
 
+/// How far beside a taker a shot passes. Who is far can be told by the target's features; who is near
+/// will come straight for the ball, and be nearer when it is kicked.
+double lane_past(const Vec2& taker, const Vec2& shot, const KeeperConfig& c) {
+    const double distance = taker.norm();
+    if (distance > c.lane_far || taker.dot(shot) <= 0.0) return std::numeric_limits<double>::infinity();
+    const Vec2 met = taker * (std::min(distance, c.lane_near) / std::max(distance, 1e-6));
+    return std::abs(shot.x() * met.y() - shot.y() * met.x());
+}
+
 /// One of the opponents in view, another in each round of talk.
 std::optional<talk::Sighting> opponent_to_tell(const world::Beliefs& b, int keepers) {
     constexpr double kFresh = 0.2;  // s
@@ -246,7 +255,10 @@ double Keeper::room_for(const Vec2& target, const Vec2& ball) const {
     const double reach = kick_.reach(shot.norm());
     const Vec2 stance = kick_.stand_pose(0, ball, yaw).position;
     const Vec2 landing = ball + direction(yaw) * reach;
-    return std::min({half - c.stance_margin - stance.cwiseAbs().maxCoeff(),
+    double lane = std::numeric_limits<double>::infinity();
+    for (const auto& taker : situation_.takers)
+        lane = std::min(lane, lane_past(taker.position - ball, direction(yaw), c));
+    return std::min({lane - c.lane_margin, half - c.stance_margin - stance.cwiseAbs().maxCoeff(),
                      half - c.landing_margin - landing.cwiseAbs().maxCoeff(),
                      c.landing_error - std::abs(reach - shot.norm())});
 }

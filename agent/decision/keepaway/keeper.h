@@ -51,7 +51,8 @@ class Keeper {
     motion::BodyRequest act_k1(const world::Beliefs& beliefs, const motion::State& body,
                                bool committed, Account& account);
     void choose_target(const world::Beliefs& beliefs, Account& account);
-    /// Room of policy.h: for the stance, for where the ball lands, and between that and the target.
+    /// Room of policy.h: for the stance, for where the ball lands, between that and the target, and
+    /// beside takers of situation_ near by.
     double room_for(const Vec2& target, const Vec2& ball) const;
     double time_until_taker(const PassSituation& situation) const;  ///< s until one is at the ball
     /// How soon K1 at `self` can have kicked the ball, s; sooner at the present target.

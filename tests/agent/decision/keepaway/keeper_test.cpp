@@ -118,6 +118,25 @@ TEST(Keeper, K1SaysTargetAndHelper) {
     EXPECT_TRUE(heard->claims_k1);
 }
 
+TEST(Keeper, DoesNotShootIntoATakerThatComes) {
+    world::Beliefs b = at_ball(2.0);
+    const auto bearing_off = [&](KeeperSettings settings) {
+        Keeper k = keeper("handcoded", settings);
+        const Vec2 shot = *settle(k, b).account.target - b.ball.position;
+        const Vec2 taker = b.opponents[0].position - b.ball.position;
+        return std::abs(wrap_angle(yaw_of(shot) - yaw_of(taker)));
+    };
+    KeeperSettings careless;
+    careless.keeper.lane_margin = -1.0;
+    // Put the taker where it would shoot.
+    Keeper k = keeper("handcoded", careless);
+    const Vec2 wanted = *settle(k, b).account.target - b.ball.position;
+    b.opponents[0].position = b.opponents[0].lagged = b.ball.position + 1.2 * wanted.normalized();
+    const KeeperSettings careful;
+    const double least = std::asin(careful.keeper.lane_margin / 1.2);
+    EXPECT_GE(bearing_off(careful), least - 1e-9);
+}
+
 TEST(Keeper, CountsItsKicksInTheMessage) {
     Keeper k = keeper();
     motion::State started;

@@ -117,7 +117,7 @@ struct Config {
     LongSwing farthest;
     AngledSwing slant;   ///< half to the side
     AngledSwing square;  ///< to the side
-    double angled_miss_m = 1.0;
+    double angled_miss_m = 0.35;
 
     Config();  ///< the tuned values
 

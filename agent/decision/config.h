@@ -31,8 +31,8 @@ struct KeeperConfig {
     double claim_memory = 0.6;
     double order_memory = 2.0;
     double fallen_penalty = 2.0;
-    double target_margin = 0.5;
-    double commit_margin = 2.0;
+    double target_margin = 0.03;
+    double commit_margin = 0.1;
     double area_margin = 0.4;
     double stance_margin = 0.12;
     double landing_margin = 0.4;
@@ -42,7 +42,7 @@ struct KeeperConfig {
     double evade_distance = 0.5;
     double taker_speed = 0.75;
     double taker_reach = 0.35;
-    double kick_time_s = 0.6;
+    double kick_time_s = 0.9;
     double patience_s = 0.3;
     double change_s = 0.4;
     double longest_kick = 6.0;
@@ -63,9 +63,9 @@ struct KeeperConfig {
                  "how long target and role that K1 said are followed");
         f.number("fallen_penalty", fallen_penalty, {0.0, 10.0}, "m",
                  "distance that lying on the ground counts for");
-        f.number("target_margin", target_margin, {0.0, 100.0}, "",
-                 "keep the target while its cost exceeds the best by less than this share");
-        f.number("commit_margin", commit_margin, {0.0, 100.0}, "",
+        f.number("target_margin", target_margin, {0.0, 1.0}, "",
+                 "keep the target while no more than this share of the others is better");
+        f.number("commit_margin", commit_margin, {0.0, 1.0}, "",
                  "the same once a taker is within hold_threshold: no time to change one's mind");
         f.number("area_margin", area_margin, {0.0, 2.0}, "m",
                  "keepers walk only to places this far inside the boundary");

@@ -13,6 +13,7 @@ constexpr double kStopping = 0.4;        // s: steps to begin and to end a walk 
 constexpr double kStepUpSpeed = 0.28;    // m/s, mean of small steps
 constexpr double kStepUpWay = 0.4;       // m walked with small steps; what is beyond is walked fast
 constexpr double kTurnRate = 1.6;        // rad/s, mean
+constexpr double kRoundRate = 1.0;       // rad/s round the ball, mean of matches
 constexpr double kPlaced = 0.02;         // m: as good as there
 constexpr double kPlacedTurn = 0.2;      // rad
 
@@ -39,12 +40,11 @@ double time_to_stand(const Pose2& self, const Pose2& stance, const Vec2& ball,
     const Vec2 from_ball = self.position - ball;
     const double around =
         std::abs(wrap_angle(yaw_of(stance.position - ball) - yaw_of(from_ball)));
-    // The way round the ball is an arc where the straight one would lead over it.
+    // Where the straight way would lead over the ball, there is one round it.
     const double away = std::max(from_ball.norm() - c.circle_radius, 0.0);
-    const double arc = around * std::min(c.circle_radius, from_ball.norm()) + away;
-    const double way = std::max(straight, arc);
-    const double walking = std::min(way, kStepUpWay) / kStepUpSpeed +
-                           std::max(way - kStepUpWay, 0.0) / c.forward_speed;
+    const double steps = std::min(straight, kStepUpWay) / kStepUpSpeed +
+                         std::max(straight - kStepUpWay, 0.0) / c.forward_speed;
+    const double walking = std::max(steps, around / kRoundRate + away / c.forward_speed);
     return kStopping + std::max(walking, turn / kTurnRate);
 }
 

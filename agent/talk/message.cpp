@@ -20,13 +20,22 @@ constexpr std::size_t kDataSymbols = 17;
 constexpr std::size_t kCheckSymbols = 2;
 static_assert(1 + kDataSymbols + kCheckSymbols == kMessageBytes);
 
-// Quantities: field plus one metre around it in 2047 levels (x to 16 mm, y to 11 mm), speeds to
-// 0.05 m/s. Odd numbers of levels, so that zero is exact.
-constexpr double kMaxX = 16.0;
-constexpr double kMaxY = 11.0;
-constexpr double kMaxSpeed = 12.75;
-constexpr std::uint32_t kPositionLevels = 2047;
-constexpr std::uint32_t kSpeedLevels = 511;
+// A quantity from -max to max takes its bits' number of levels less one: odd, so that zero is exact.
+struct Scale {
+    double max;
+    int bits;
+    std::uint32_t levels() const { return (1U << bits) - 1; }
+};
+struct PlaneScale {
+    Scale x, y;
+};
+// The field and one metre around it.
+constexpr PlaneScale kSelfScale{{16.0, 9}, {11.0, 9}};    // to 63 and 43 mm
+constexpr PlaneScale kBallScale{{16.0, 10}, {11.0, 9}};   // to 31 and 43 mm
+constexpr PlaneScale kTargetScale{{16.0, 9}, {11.0, 8}};  // to 63 and 87 mm
+constexpr PlaneScale kVelocityScale{{12.75, 7}, {12.75, 7}};             // to 0.2 m/s
+constexpr PlaneScale kSightingScale{{kTellReach, 7}, {kTellReach, 7}};  // from the speaker, to 0.1 m
+constexpr int kUnumBits = 4;
 constexpr int kMaxUnum = 11;
 
 using Symbols = std::array<std::uint8_t, kDataSymbols>;
@@ -40,13 +49,18 @@ class BitWriter {
             symbols[at_ / 6] = static_cast<std::uint8_t>(symbols[at_ / 6] | (bit << (5 - at_ % 6)));
         }
     }
-    void put_scaled(double value, double max, std::uint32_t levels, int bits) {
-        const double bounded = std::isfinite(value) ? std::clamp(value, -max, max) : 0.0;
-        put(static_cast<std::uint32_t>(std::lround((bounded + max) / (2.0 * max) * (levels - 1))), bits);
+    void put_flag(bool flag) { put(flag ? 1 : 0, 1); }
+    void put_unum(int unum) {
+        put(static_cast<std::uint32_t>(std::clamp(unum, 0, kMaxUnum)), kUnumBits);
     }
-    void put_point(const Vec2& point) {
-        put_scaled(point.x(), kMaxX, kPositionLevels, 11);
-        put_scaled(point.y(), kMaxY, kPositionLevels, 11);
+    void put_scaled(double value, const Scale& scale) {
+        const double bounded = std::isfinite(value) ? std::clamp(value, -scale.max, scale.max) : 0.0;
+        const double level = (bounded + scale.max) / (2.0 * scale.max) * (scale.levels() - 1);
+        put(static_cast<std::uint32_t>(std::lround(level)), scale.bits);
+    }
+    void put_vector(const Vec2& vector, const PlaneScale& scale) {
+        put_scaled(vector.x(), scale.x);
+        put_scaled(vector.y(), scale.y);
     }
     Symbols symbols{};
 
@@ -63,15 +77,17 @@ class BitReader {
             value = (value << 1U) | ((symbols_[at_ / 6] >> (5 - at_ % 6)) & 1U);
         return value;
     }
-    double get_scaled(double max, std::uint32_t levels, int bits) {
+    bool get_flag() { return get(1) != 0; }
+    int get_unum() { return static_cast<int>(get(kUnumBits)); }
+    double get_scaled(const Scale& scale) {
         // 2 * max * k - max * n is exact for the middle level, hence gives 0 there.
-        const double k = std::min(get(bits), levels - 1);
-        const double n = levels - 1;
-        return (2.0 * k - n) * (max / n);
+        const double n = scale.levels() - 1;
+        const double k = std::min(static_cast<double>(get(scale.bits)), n);
+        return (2.0 * k - n) * (scale.max / n);
     }
-    Vec2 get_point() {
-        const double x = get_scaled(kMaxX, kPositionLevels, 11);
-        const double y = get_scaled(kMaxY, kPositionLevels, 11);
+    Vec2 get_vector(const PlaneScale& scale) {
+        const double x = get_scaled(scale.x);
+        const double y = get_scaled(scale.y);
         return {x, y};
     }
 
@@ -87,6 +103,14 @@ std::uint32_t check_of(const Symbols& symbols) {
     return sum;
 }
 
+/// Whom the message can tell of.
+const Sighting* tellable(const Message& message) {
+    if (!message.opponent || message.opponent->unum < 1 || message.opponent->unum > kMaxUnum)
+        return nullptr;
+    const Vec2 from_speaker = message.opponent->position - message.position;
+    return from_speaker.cwiseAbs().maxCoeff() <= kTellReach ? &*message.opponent : nullptr;
+}
+
 }  // namespace
 
 std::string encode(const Message& message) {
@@ -97,19 +121,21 @@ std::string encode(const Message& message) {
 
 void encode(const Message& message, std::string& text) {
     BitWriter w;
-    w.put(static_cast<std::uint32_t>(std::clamp(message.unum, 0, kMaxUnum)), 4);
-    w.put_point(message.position);
-    w.put(message.fallen ? 1 : 0, 1);
-    w.put(message.ball ? 1 : 0, 1);
-    w.put_point(message.ball.value_or(Vec2::Zero()));
-    const Vec2 velocity = message.ball ? message.ball_velocity : Vec2(Vec2::Zero());
-    w.put_scaled(velocity.x(), kMaxSpeed, kSpeedLevels, 9);
-    w.put_scaled(velocity.y(), kMaxSpeed, kSpeedLevels, 9);
-    w.put(message.claims_k1 ? 1 : 0, 1);
-    w.put(message.target ? 1 : 0, 1);
-    w.put_point(message.target.value_or(Vec2::Zero()));
-    w.put(static_cast<std::uint32_t>(std::clamp(message.k2, 0, kMaxUnum)), 4);
+    w.put_unum(message.unum);
+    w.put_vector(message.position, kSelfScale);
+    w.put_flag(message.fallen);
+    w.put_flag(message.ball.has_value());
+    w.put_vector(message.ball.value_or(Vec2::Zero()), kBallScale);
+    w.put_vector(message.ball ? message.ball_velocity : Vec2(Vec2::Zero()), kVelocityScale);
+    w.put_flag(message.claims_k1);
+    w.put_flag(message.target.has_value());
+    w.put_vector(message.target.value_or(Vec2::Zero()), kTargetScale);
+    w.put_unum(message.k2);
     w.put(static_cast<std::uint32_t>(message.kicks) & 15U, 4);
+    const Sighting* opponent = tellable(message);
+    w.put_unum(opponent != nullptr ? opponent->unum : 0);
+    w.put_vector(opponent != nullptr ? Vec2(opponent->position - message.position) : Vec2(Vec2::Zero()),
+                 kSightingScale);
 
     text.assign(1, kTag);
     for (const std::uint8_t symbol : w.symbols) text += kAlphabet[symbol];
@@ -134,22 +160,24 @@ std::optional<Message> decode(std::string_view text) {
 
     BitReader r(symbols);
     Message message;
-    message.unum = static_cast<int>(r.get(4));
+    message.unum = r.get_unum();
     if (message.unum < 1 || message.unum > kMaxUnum) return std::nullopt;
-    message.position = r.get_point();
-    message.fallen = r.get(1) != 0;
-    const bool has_ball = r.get(1) != 0;
-    const Vec2 ball = r.get_point();
+    message.position = r.get_vector(kSelfScale);
+    message.fallen = r.get_flag();
+    const bool has_ball = r.get_flag();
+    const Vec2 ball = r.get_vector(kBallScale);
     if (has_ball) message.ball = ball;
-    message.ball_velocity.x() = r.get_scaled(kMaxSpeed, kSpeedLevels, 9);
-    message.ball_velocity.y() = r.get_scaled(kMaxSpeed, kSpeedLevels, 9);
-    message.claims_k1 = r.get(1) != 0;
-    const bool has_target = r.get(1) != 0;
-    const Vec2 target = r.get_point();
+    message.ball_velocity = r.get_vector(kVelocityScale);
+    message.claims_k1 = r.get_flag();
+    const bool has_target = r.get_flag();
+    const Vec2 target = r.get_vector(kTargetScale);
     if (has_target) message.target = target;
-    message.k2 = static_cast<int>(r.get(4));
-    if (message.k2 > kMaxUnum) return std::nullopt;
+    message.k2 = r.get_unum();
     message.kicks = static_cast<int>(r.get(4));
+    const int opponent = r.get_unum();
+    const Vec2 from_speaker = r.get_vector(kSightingScale);
+    if (opponent != 0) message.opponent = {opponent, message.position + from_speaker};
+    if (message.k2 > kMaxUnum || opponent > kMaxUnum) return std::nullopt;
     return message;
 }
 

@@ -14,6 +14,13 @@ namespace k3d::agent::talk {
 
 inline constexpr std::size_t kMessageBytes = 20;
 
+/// An opponent that the speaker sees. Told only within kTellReach of the speaker on both axes.
+struct Sighting {
+    int unum = 0;                      ///< 1..11
+    Vec2 position = Vec2::Zero();
+};
+inline constexpr double kTellReach = 6.3;  // m
+
 /// One keeper's report to its team-mates (paper 5.1: K1 says the target and so gives the roles).
 struct Message {
     int unum = 0;                      ///< speaker, 1..11
@@ -25,6 +32,7 @@ struct Message {
     std::optional<Vec2> target;        ///< K1's kick target
     int k2 = 0;                        ///< unum that K1 names K2, 0 = none
     int kicks = 0;                     ///< speaker's kicks so far modulo 16: a change says "I kicked"
+    std::optional<Sighting> opponent;  ///< one at a time
 };
 
 /// At most kMessageBytes bytes of 0x21..0x7E without parentheses. Values outside the field are

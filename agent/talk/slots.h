@@ -17,4 +17,9 @@ inline bool may_speak(double now, int unum, int keepers) {
     return cycle % (2 * keepers) == 2 * ((unum - 1) % keepers);
 }
 
+/// Counts the rounds of talk: everybody speaks once in each.
+inline std::int64_t round_of(double now, int keepers) {
+    return std::llround(now / kCycleSeconds) / (2 * keepers);
+}
+
 }  // namespace k3d::agent::talk

@@ -40,6 +40,7 @@ struct Player {
     int unum = 0;
     bool mate = false;
     double seen = -1e9;          ///< when last seen or heard of
+    double eyes = -1e9;          ///< when last seen by this agent's own eyes
     Vec2 position = Vec2::Zero();
     Vec2 velocity = Vec2::Zero();
     Vec2 lagged = Vec2::Zero();  ///< exponentially discounted mean position, taker_hat of paper 5.3

@@ -59,7 +59,7 @@ struct PlayersConfig {
     void describe(config::Fields& f) {
         f.number("memory", memory, {0, 60}, "s", "how long an unseen player stays known");
         f.number("hear_after", hear_after, {0, 60}, "s",
-                 "unseen for this long, a team-mate is where it says it is");
+                 "unseen for this long, a player is where team-mates say it is");
         f.number("acceleration_sd", acceleration_sd, {0.01, 50}, "m/s^1.5",
                  "disturbance of a player's velocity");
     }

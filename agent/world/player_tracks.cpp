@@ -73,6 +73,12 @@ void PlayerTracks::hear(int unum, const Vec2& position, bool fallen, double now)
     track.fallen = fallen;
 }
 
+void PlayerTracks::hear_of_opponent(int unum, const Vec2& position, double now) {
+    if (!is_unum(unum)) return;
+    Track& track = teams_[0][static_cast<std::size_t>(unum - 1)];
+    if (now - track.eyes > players_.hear_after) measure(track, position, kHeardSd, now);
+}
+
 void PlayerTracks::reseat(const Pose2& from, const Pose2& to) {
     for (Team& team : teams_) {
         for (Track& track : team) {
@@ -93,8 +99,8 @@ void PlayerTracks::report_team(const Team& team, bool mate, double now, int left
         if (unum == left_out || now - track.seen > players_.memory) continue;
         const Vec2 lagged = track.mean_weight > 0.0 ? Vec2(track.mean_sum / track.mean_weight)
                                                     : track.filter.position();
-        players.push_back({unum, mate, track.seen, track.filter.position(), track.filter.velocity(),
-                           lagged, track.fallen});
+        players.push_back({unum, mate, track.seen, track.eyes, track.filter.position(),
+                           track.filter.velocity(), lagged, track.fallen});
     }
 }
 

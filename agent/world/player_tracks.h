@@ -28,6 +28,8 @@ class PlayerTracks {
              double now);
     /// A team-mate says where it is.
     void hear(int unum, const Vec2& position, bool fallen, double now);
+    /// A team-mate says where it sees an opponent.
+    void hear_of_opponent(int unum, const Vec2& position, double now);
     /// The robot's pose was corrected by a jump; the players were seen from the wrong one.
     void reseat(const Pose2& from, const Pose2& to);
 

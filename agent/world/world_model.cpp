@@ -99,6 +99,8 @@ void WorldModel::hear(std::span<const talk::Message> messages) {
     for (const talk::Message& message : messages) {
         if (message.unum == identity_.unum) continue;
         players_.hear(message.unum, message.position, message.fallen, beliefs_.now);
+        if (const auto& opponent = message.opponent)
+            players_.hear_of_opponent(opponent->unum, opponent->position, beliefs_.now);
         if (message.ball) ball_.hear(*message.ball, message.ball_velocity, beliefs_.now);
     }
 }

@@ -5,7 +5,7 @@
 //
 //     quick_episode --results FILE --seed N ...   the server; leaves a file named after its pid in
 //                                                 $K3D_QUICK_FOLDER while it runs
-//     quick_episode --unum N --port P ...         an agent
+//     quick_episode --unum N --port P ...         an agent, or several with --and between them
 //     quick_episode --print-fields                what k3d-agent says
 #include <arpa/inet.h>
 #include <sys/socket.h>
@@ -93,20 +93,31 @@ int serve(const Flags& flags) {
     return 0;
 }
 
-int play(const Flags& flags) {
+/// Speaks as one agent: what its keeper was given. The connection, or < 0.
+int join(const Flags& flags) {
     const int server = ::socket(AF_INET, SOCK_STREAM, 0);
     const sockaddr_in address = loopback(std::stoi(flags.at("--port")));
-    if (::connect(server, reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0) return 1;
+    if (::connect(server, reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0) return -1;
     const bool keeper = flags.at("--role") == "keeper";
     const double said[2] = {keeper ? flags.a : 0.0, keeper ? flags.b : 0.0};
-    if (::send(server, said, sizeof said, 0) != sizeof said) return 1;
-    std::ofstream telemetry;
-    if (keeper) telemetry.open(flags.at("--telemetry"));
+    return ::send(server, said, sizeof said, 0) == sizeof said ? server : -1;
+}
+
+/// All agents of this process: those of keepers write telemetry until the server closes.
+int play(const std::vector<Flags>& agents) {
+    std::vector<int> servers;
+    std::vector<std::ofstream> telemetries;
+    for (const Flags& agent : agents) {
+        servers.push_back(join(agent));
+        if (servers.back() < 0) return 1;
+        if (agent.at("--role") == "keeper") telemetries.emplace_back(agent.at("--telemetry"));
+    }
     timeval patience{0, 20000};
-    ::setsockopt(server, SOL_SOCKET, SO_RCVTIMEO, &patience, sizeof patience);
+    ::setsockopt(servers.front(), SOL_SOCKET, SO_RCVTIMEO, &patience, sizeof patience);
     char byte = 0;
-    for (int i = 0; ::recv(server, &byte, 1, 0) < 0; ++i) {
-        if (keeper) telemetry << "{\"time\": " << i << "}\n" << std::flush;
+    for (int i = 0; ::recv(servers.front(), &byte, 1, 0) < 0; ++i) {
+        for (std::ofstream& telemetry : telemetries)
+            telemetry << "{\"time\": " << i << "}\n" << std::flush;
     }
     return 0;
 }
@@ -114,7 +125,7 @@ int play(const Flags& flags) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    Flags flags;
+    std::vector<Flags> agents(1);
     for (int i = 1; i < argc; ++i) {
         const std::string word = argv[i];
         if (word == "--print-fields") {
@@ -122,13 +133,18 @@ int main(int argc, char** argv) {
             ::execl(own.c_str(), own.c_str(), argv[i], nullptr);
             return 1;
         }
+        if (word == "--and") {
+            agents.emplace_back();
+            continue;
+        }
         if (i + 1 == argc) return 2;
         const std::string value = argv[++i];
         if (word == "--set") {
-            flags.take_setting(value);
+            agents.back().take_setting(value);
         } else {
-            flags.words[word] = value;
+            agents.back().words[word] = value;
         }
     }
-    return flags.words.contains("--results") ? serve(flags) : play(flags);
+    const Flags& first = agents.front();
+    return first.words.contains("--results") ? serve(first) : play(agents);
 }

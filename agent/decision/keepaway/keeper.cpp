@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "agent/skills/look.h"
+#include "agent/talk/slots.h"
 
 namespace k3d::agent::decision {
 namespace {
@@ -34,6 +35,18 @@ std::optional<Vec2> away_from_takers(const world::Beliefs& b, double distance) {
     }
     if (away.norm() < 1e-6) return std::nullopt;
     return Vec2(self + kEvadeStep * away.normalized());
+}
+
+/// One of the opponents in view, another in each round of talk.
+std::optional<talk::Sighting> opponent_to_tell(const world::Beliefs& b, int keepers) {
+    constexpr double kFresh = 0.2;  // s
+    const auto in_view = [&](const world::Player& p) { return b.now - p.eyes < kFresh; };
+    const auto count = std::ranges::count_if(b.opponents, in_view);
+    if (count == 0) return std::nullopt;
+    auto skip = talk::round_of(b.now, keepers) % count;
+    for (const world::Player& opponent : b.opponents)
+        if (in_view(opponent) && skip-- == 0) return talk::Sighting{opponent.unum, opponent.position};
+    return std::nullopt;
 }
 
 Vec2 inside(const Vec2& point, double half) {
@@ -98,6 +111,7 @@ Decision Keeper::decide(const world::Beliefs& b, const motion::State& body,
     if (is_k1 && target_) m.target = target_;
     m.k2 = is_k1 ? k2_ : 0;
     m.kicks = kicks_ % 16;
+    m.opponent = opponent_to_tell(b, settings_.keepaway.keepers);
     d.say = m;
     return d;
 }

@@ -57,6 +57,8 @@ Target best_target(const std::vector<Vec2>& grid, const PassSituation& situation
     };
     std::optional<Target> best;
     std::optional<Target> kept;
+    static thread_local std::vector<double> costs;  // likewise
+    costs.clear();
     Vec2 roomiest = Vec2::Zero();
     double most_room = -std::numeric_limits<double>::infinity();
     for (const Vec2& point : grid) {
@@ -69,12 +71,14 @@ Target best_target(const std::vector<Vec2>& grid, const PassSituation& situation
         if (space < 0.0) continue;
         const Target candidate{point, cost_at(point)};
         if (scored != nullptr) scored->push_back({point, candidate.cost});
+        costs.push_back(candidate.cost);
         if (!best || candidate.cost < best->cost) best = candidate;
         if (previous && (point - *previous).norm() < 1e-6) kept = candidate;
     }
     if (!best) return {roomiest, cost_at(roomiest)};
-    if (kept && kept->cost <= best->cost + keep * std::abs(best->cost)) return *kept;
-    return *best;
+    if (!kept) return *best;
+    const auto better = std::ranges::count_if(costs, [&](double cost) { return cost < kept->cost; });
+    return static_cast<double>(better) <= keep * static_cast<double>(costs.size()) ? *kept : *best;
 }
 
 }  // namespace k3d::agent::decision

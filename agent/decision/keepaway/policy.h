@@ -47,8 +47,9 @@ struct Target {
 using Room = std::function<double(const Vec2&)>;
 
 /// The point of lowest cost among those with room that are at least min_pass from the ball, the
-/// first of equals. `previous`, if it is on the grid and has room, stays unless the best is lower
-/// by more than `keep` of its absolute cost. If no point has room, the one with most of it.
+/// first of equals. `previous`, if it is on the grid and has room, stays unless more than a share
+/// `keep` of the points is better: a measure that suits functions of any scale. If no point has room,
+/// the one with most of it.
 /// `scored`, if given, is filled with all points that have room.
 Target best_target(const std::vector<Vec2>& grid, const PassSituation& situation,
                    const Policy& policy, const EvaluationConfig& config, const Room& room,

@@ -72,6 +72,14 @@ Lying lying_on(const Vec3& up) {
     return up.y() > 0.0 ? Lying::OnRight : Lying::OnLeft;
 }
 
+GetUp::GetUp(const Config& config, int type)
+    : config_(config), sequences_(config.type[static_cast<std::size_t>(type)]) {
+    constexpr std::size_t kRoll = 3;  // the most keyframes of any other phase
+    const std::size_t longest =
+        std::max(sequences_.back.duration_s.size(), sequences_.front.duration_s.size()) + 1;
+    frames_.reserve(std::max(longest, kRoll));
+}
+
 void GetUp::start(const JointArray& stand) {
     stand_ = stand;
     tries_ = 0;

@@ -23,8 +23,7 @@ Lying lying_on(const Vec3& up);
 class GetUp {
   public:
     /// For a robot of `type`, 0 to 4.
-    GetUp(const Config& config, int type)
-        : config_(config), sequences_(config.type[static_cast<std::size_t>(type)]) {}
+    GetUp(const Config& config, int type);
 
     /// Begins from any pose; `stand` is the pose to end in.
     void start(const nao::JointArray& stand);

@@ -78,6 +78,8 @@ TEST(TimeToStand, GrowsWithTheWayTheTurnAndTheBallInBetween) {
     EXPECT_LT(time({{-0.4, 0.0}, 0.0}), time({{-0.8, 0.0}, 0.0}));
     EXPECT_LT(time({{-0.4, 0.0}, 0.0}), time({{-0.4, 0.0}, 2.0}));
     EXPECT_LT(time({{-0.6, 0.0}, 0.0}), time({{0.2, 0.0}, 0.0})) << "the ball lies in the way";
+    // Round the ball a robot goes sideways, much slower than forward.
+    EXPECT_GT(time({{0.2, 0.0}, kPi}), 3.0);
 }
 
 }  // namespace

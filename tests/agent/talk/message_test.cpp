@@ -12,9 +12,8 @@
 namespace k3d::agent::talk {
 namespace {
 
-constexpr double kStepX = 32.0 / 2046.0;
-constexpr double kStepY = 22.0 / 2046.0;
-constexpr double kStepV = 25.5 / 510.0;
+constexpr double kGrid = 0.1;  // m: what a position may be off, on each axis, is half of it
+constexpr double kStepV = 25.5 / 126.0;  // m/s
 
 double milli(int low, int high) { return *rc::gen::inRange(low, high + 1) / 1000.0; }
 Vec2 any_point() { return {milli(-16000, 16000), milli(-11000, 11000)}; }
@@ -32,12 +31,15 @@ Message any_message() {
     if (*rc::gen::arbitrary<bool>()) m.target = any_point();
     m.k2 = *rc::gen::inRange(0, 12);
     m.kicks = *rc::gen::inRange(0, 16);
+    if (*rc::gen::arbitrary<bool>()) {
+        const Vec2 from_speaker(milli(-6290, 6290), milli(-6290, 6290));
+        m.opponent = {*rc::gen::inRange(1, 12), m.position + from_speaker};
+    }
     return m;
 }
 
 void expect_near(const Vec2& a, const Vec2& b) {
-    RC_ASSERT(std::abs(a.x() - b.x()) <= kStepX / 2 + 1e-9);
-    RC_ASSERT(std::abs(a.y() - b.y()) <= kStepY / 2 + 1e-9);
+    RC_ASSERT((a - b).cwiseAbs().maxCoeff() <= kGrid / 2 + 1e-9);
 }
 
 RC_GTEST_PROP(Message, RoundTripWithinTheGrid, ()) {
@@ -57,6 +59,11 @@ RC_GTEST_PROP(Message, RoundTripWithinTheGrid, ()) {
     if (m.target) expect_near(*back->target, *m.target);
     RC_ASSERT(back->k2 == m.k2);
     RC_ASSERT(back->kicks == m.kicks);
+    RC_ASSERT(back->opponent.has_value() == m.opponent.has_value());
+    if (m.opponent) {
+        RC_ASSERT(back->opponent->unum == m.opponent->unum);
+        expect_near(back->opponent->position - back->position, m.opponent->position - m.position);
+    }
 }
 
 RC_GTEST_PROP(Message, TwentyLegalBytes, ()) {
@@ -95,6 +102,18 @@ TEST(Message, FarOffIsClampedToTheField) {
     m.unum = 1;
     m.position = {100.0, -100.0};
     EXPECT_NEAR((decode(encode(m))->position - Vec2(16.0, -11.0)).norm(), 0.0, 1e-9);
+}
+
+TEST(Message, AnOpponentTooFarFromTheSpeakerIsNotTold) {
+    Message m;
+    m.unum = 1;
+    m.position = {-4.0, 0.0};
+    m.opponent = {2, {2.0, 1.0}};
+    EXPECT_TRUE(decode(encode(m))->opponent);
+    m.opponent = {2, {2.5, 1.0}};
+    EXPECT_FALSE(decode(encode(m))->opponent);
+    m.opponent = {0, {-4.0, 1.0}};
+    EXPECT_FALSE(decode(encode(m))->opponent) << "nobody has this number";
 }
 
 TEST(Message, ForeignTextIsNone) {

@@ -95,6 +95,23 @@ TEST(PlayerTracks, MatesAreWhereTheySayUnlessSeen) {
     EXPECT_EQ(trial.mates[0].position, seen) << "own eyes are better";
 }
 
+TEST(PlayerTracks, OpponentsOutOfSightAreWhereMatesSeeThem) {
+    Trial trial;
+    trial.tracks.see(false, 2, {2.0, -1.0}, 0.03, false, 0.0);
+    trial.tracks.hear_of_opponent(2, {1.0, 1.0}, 0.1);
+    trial.tracks.report(0.1, 1, trial.mates, trial.opponents);
+    ASSERT_EQ(trial.opponents.size(), 1u);
+    EXPECT_EQ(trial.opponents[0].position, Vec2(2.0, -1.0)) << "own eyes are better";
+    trial.tracks.hear_of_opponent(2, {1.0, 1.0}, 1.0);
+    trial.tracks.hear_of_opponent(1, {3.0, 0.0}, 1.0);
+    trial.tracks.report(1.0, 1, trial.mates, trial.opponents);
+    ASSERT_EQ(trial.opponents.size(), 2u);
+    EXPECT_EQ(trial.opponents[0].position, Vec2(3.0, 0.0));
+    EXPECT_EQ(trial.opponents[1].position, Vec2(1.0, 1.0));
+    EXPECT_EQ(trial.opponents[1].eyes, 0.0);
+    EXPECT_EQ(trial.opponents[1].seen, 1.0);
+}
+
 TEST(PlayerTracks, ReportsByNumberWithoutItselfAndIgnoresNumbersOutOfRange) {
     Trial trial;
     for (const int unum : {5, 1, 3, 0, 12, -4}) {

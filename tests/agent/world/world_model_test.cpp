@@ -140,6 +140,7 @@ TEST(WorldModel, MessagesFillInWhatIsNotSeen) {
     message.unum = 3;
     message.position = {-4.0, 1.0};
     message.ball = Vec2(-4.0, -2.0);
+    message.opponent = {2, {-3.0, 1.0}};
     talk::Message own;
     own.unum = 1;
     own.position = {9.0, 9.0};
@@ -147,6 +148,9 @@ TEST(WorldModel, MessagesFillInWhatIsNotSeen) {
     const Beliefs& beliefs = trial.cycle(true, heard);
     ASSERT_EQ(beliefs.mates.size(), 1u);
     EXPECT_EQ(beliefs.mates[0].unum, 3);
+    ASSERT_EQ(beliefs.opponents.size(), 1u);
+    EXPECT_EQ(beliefs.opponents[0].unum, 2);
+    EXPECT_EQ(beliefs.opponents[0].position, Vec2(-3.0, 1.0));
     ASSERT_TRUE(beliefs.ball.known);
     EXPECT_LT((beliefs.ball.position - Vec2(-4.0, -2.0)).norm(), 1e-9);
     EXPECT_LT(beliefs.ball.seen, -1e8);

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "agent/decision/keepaway/scene.h"
+#include "common/clock/clock.h"
 
 namespace k3d::agent::decision {
 namespace {
@@ -126,6 +127,22 @@ TEST(Keeper, CountsItsKicksInTheMessage) {
     k.decide(b, started, {});
     k.decide(b, {}, {});
     EXPECT_EQ(k.decide(b, started, {}).say->kicks, 2);
+}
+
+TEST(Keeper, TellsOfOpponentsInViewInTurns) {
+    Keeper k = keeper();
+    world::Beliefs b = at_ball(2.0);
+    const double round = 6 * k3d::kCycleSeconds;
+    const auto told = [&] {
+        b.now += round;
+        for (world::Player& p : b.opponents) p.eyes = b.now;
+        return k.decide(b, {}, {}).say->opponent->unum;
+    };
+    const int first = told();
+    EXPECT_NE(told(), first);
+    EXPECT_EQ(told(), first);
+    b.now += 1.0;  // nobody in view any more
+    EXPECT_FALSE(k.decide(b, {}, {}).say->opponent);
 }
 
 /// Keeper 3 at home (0, -4), keeper 1 has the ball.

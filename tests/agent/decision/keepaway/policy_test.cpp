@@ -145,13 +145,19 @@ TEST(BestTarget, NeverNextToTheBallNorWhereItIsForbidden) {
 }
 
 TEST(BestTarget, KeepsThePreviousWithinTheMargin) {
-    Policy policy;
-    policy.cost.emplace(prefers(3, 1.0), "test");
     const auto grid = target_grid(10.0, kConfig);
-    // Ball (-2, 0): (4, 0) is 6 m off, cost 1; (4, 1) is 6.083 m off, cost 1.0069.
+    // Ball (-2, 0): (4, 0) is 6 m off; (4, 1) is 6.083 m off, and of 80 points only that one is better.
     const Vec2 old(4.0, 1.0);
-    EXPECT_EQ(best_target(grid, quiet(), policy, kConfig, kAll, old, 0.01).point, old);
-    EXPECT_EQ(best_target(grid, quiet(), policy, kConfig, kAll, old, 0.001).point, Vec2(4.0, 0.0));
+    for (const double scale : {1.0, 100.0}) {
+        Policy policy;
+        policy.cost.emplace(prefers(3, scale), "test");
+        const auto chosen = [&](double keep) {
+            return best_target(grid, quiet(), policy, kConfig, kAll, old, keep).point;
+        };
+        EXPECT_EQ(chosen(0.02), old);
+        EXPECT_EQ(chosen(0.01), Vec2(4.0, 0.0));
+        EXPECT_EQ(chosen(0.0), Vec2(4.0, 0.0));
+    }
 }
 
 }  // namespace

@@ -21,7 +21,8 @@ skills::KickGeometry kick_geometry(const kick::Config& config) {
                 return kick::stand_pose(config, ball, yaw, strike(number));
             },
             [=](const motion::Kick& wish) { return kick::kick_possible(config, wish); },
-            [=](double wanted) { return config.reach_for(wanted); }};
+            [=](double wanted) { return config.reach_for(wanted); },
+            [=](int number) { return kick::stance_share(config, strike(number)); }};
 }
 
 decision::PlayerSettings player_settings(const Config& c, const std::string& entity) {

@@ -48,6 +48,7 @@ struct KeeperConfig {
     double kick_time_s = 1.2;
     double patience_s = 0.3;
     double change_s = 0.4;
+    double longest_kick = 6.0;
 
     void describe(config::Fields& f) {
         f.text("policy", policy, {},
@@ -97,6 +98,8 @@ struct KeeperConfig {
                  "if no target is in time, those are taken that are later than the soonest by less");
         f.number("change_s", change_s, {0.0, 20.0}, "s",
                  "K1's present target counts as this much sooner");
+        f.number("longest_kick", longest_kick, {0.0, 30.0}, "m",
+                 "K1 asks for no more: beyond it the stance must be exact, which takes time");
     }
 };
 

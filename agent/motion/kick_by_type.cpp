@@ -55,8 +55,8 @@ TypeKick type_3_kick() {
 KickByType::KickByType() : type_1(type_1_kick()), type_3(type_3_kick()) {}
 
 kick::Config kick_of_type(kick::Config kick, const KickByType& by_type, int type) {
-    // The swings to the side are type 0's alone.
-    if (type != 0) kick.slant.on = kick.square.on = false;
+    // The longest swing and those to the side are type 0's alone.
+    if (type != 0) kick.farthest.on = kick.slant.on = kick.square.on = false;
     if (type != 1 && type != 3) return kick;
     const TypeKick& own = type == 1 ? by_type.type_1 : by_type.type_3;
     kick.straight.ball_forward = own.ball_forward;

@@ -36,7 +36,7 @@ struct KickByType {
 };
 
 /// `kick` as a robot of `type` (0 to 4) kicks: types 0, 2 and 4 take it as it is,
-/// but only type 0 kicks aside.
+/// but only type 0 has the longest kick and those aside.
 kick::Config kick_of_type(kick::Config kick, const KickByType& by_type, int type);
 
 }  // namespace k3d::agent::motion

@@ -38,6 +38,7 @@ struct Walk {
     double forward = 0.0;  ///< m/s
     double left = 0.0;     ///< m/s
     double turn = 0.0;     ///< rad/s, counter-clockwise
+    bool brisk = false;    ///< walk and turn harder at the same time, at the risk of a fall
 };
 
 /// Kick the ball from where the robot stands. Decision asks for it only when kick_possible() of

@@ -16,6 +16,9 @@ struct SkillConfig {
     double turn_rate = 2.2;
     double gain = 4.0;
     double turn_gain = 3.0;
+    double brisk_distance = 1.0;
+    double brisk_turn_rate = 2.6;
+    double brisk_turn_gain = 4.5;
     double near_distance = 0.4;
     double arrive_distance = 0.12;
     double leave_distance = 0.3;
@@ -51,6 +54,11 @@ struct SkillConfig {
         f.number("turn_rate", turn_rate, {0.1, 4.0}, "rad/s", "fastest turn asked for");
         f.number("gain", gain, {0.1, 10.0}, "1/s", "speed per metre left to go");
         f.number("turn_gain", turn_gain, {0.1, 10.0}, "1/s", "turn rate per radian left to turn");
+        f.number("brisk_distance", brisk_distance, {0.2, 50.0}, "m",
+                 "farther than this from the place it walks and turns harder");
+        f.number("brisk_turn_rate", brisk_turn_rate, {0.1, 4.0}, "rad/s", "fastest turn then");
+        f.number("brisk_turn_gain", brisk_turn_gain, {0.1, 10.0}, "1/s",
+                 "turn rate per radian left to turn then");
         f.number("near_distance", near_distance, {0.1, 3.0}, "m",
                  "below this walk in all directions with the final heading, above it turn and walk");
         f.number("arrive_distance", arrive_distance, {0.01, 1.0}, "m", "stop walking this close");

@@ -67,11 +67,15 @@ double best_turn(const Vec2& point, double final_turn, const SkillConfig& c) {
 }
 
 /// Walk to a point in the robot frame with the heading that takes the least time.
-motion::Walk walk_turned(const Vec2& point, double final_turn, double speed, const SkillConfig& c) {
+motion::Walk walk_turned(const Vec2& point, double final_turn, double speed, bool brisk,
+                         const SkillConfig& c) {
     const double turn = best_turn(point, final_turn, c);
     const Vec2 velocity =
         within_reach(speed * share_while_turning(turn) * point.normalized(), c);
-    return {velocity.x(), velocity.y(), turn_towards(turn, c)};
+    const double rate = brisk ? std::clamp(c.brisk_turn_gain * turn, -c.brisk_turn_rate,
+                                           c.brisk_turn_rate)
+                              : turn_towards(turn, c);
+    return {velocity.x(), velocity.y(), rate, brisk};
 }
 
 }  // namespace
@@ -122,7 +126,7 @@ motion::Walk walk_to(const Pose2& self, const Pose2& goal, std::span<const Obsta
     if (left_to_go > c.near_distance || !direct)
         return walk_turned(local, wrap_angle(goal.yaw - self.yaw),
                            direct ? std::min(c.forward_speed, c.gain * left_to_go) : c.forward_speed,
-                           c);
+                           left_to_go > c.brisk_distance, c);
     const Vec2 velocity = within_reach(c.gain * local, c);
     return {velocity.x(), velocity.y(), turn_towards(wrap_angle(goal.yaw - self.yaw), c)};
 }

@@ -27,12 +27,12 @@ bool way_touches(const Vec2& from, const Vec2& to, const Vec2& ball) {
 }  // namespace
 
 StanceError stance_error(const Pose2& self, const Pose2& stance, double pressure,
-                         const SkillConfig& c) {
+                         const SkillConfig& c, double stance_share) {
     const Vec2 offset = stance.to_local(self.position);
     const double loose = 1.0 + (c.kick_loosen - 1.0) * pressure;
     const double loose_yaw = 1.0 + (c.kick_loosen_yaw - 1.0) * pressure;
     StanceError e{offset.x(), offset.y(), wrap_angle(self.yaw - stance.yaw), 0.0};
-    e.worst = std::max({std::abs(e.x) / (c.kick_tolerance_x * loose),
+    e.worst = std::max({std::abs(e.x) / (c.kick_tolerance_x * stance_share * loose),
                         std::abs(e.y) / (c.kick_tolerance_y * loose),
                         std::abs(e.yaw) / (c.kick_tolerance_yaw * loose_yaw)});
     return e;
@@ -43,7 +43,8 @@ motion::BodyRequest position_for_kick(const KickSituation& s, const KickGeometry
     const Vec2 shot = s.target - s.ball;
     const double yaw = yaw_of(shot);
     const Pose2 stance = kick.stand_pose(s.strike, s.ball, yaw);
-    const StanceError error = stance_error(s.self, stance, s.pressure, c);
+    const StanceError error =
+        stance_error(s.self, stance, s.pressure, c, kick.stance_share(s.strike));
 
     const motion::Kick request{s.self.to_local(s.ball_now), wrap_angle(yaw - s.self.yaw), shot.norm(),
                                s.pressure > kHurry};

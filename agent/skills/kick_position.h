@@ -27,13 +27,14 @@ struct KickSituation {
     int strike = 0;          ///< of KickGeometry: the kick prepared for
 };
 
-/// Error of a stance in the stance's own frame, as multiples of the tolerances at this pressure.
+/// Error of a stance in the stance's own frame, as multiples of the tolerances at this pressure; along
+/// the kick only a share of the tolerance may be allowed.
 struct StanceError {
     double x, y, yaw;        ///< m, m, rad
     double worst;            ///< <= 1: good enough
 };
 StanceError stance_error(const Pose2& self, const Pose2& stance, double pressure,
-                         const SkillConfig& config);
+                         const SkillConfig& config, double stance_share = 1.0);
 
 /// Kick when placed and allowed, stand when placed, walk into the strike's stance otherwise.
 motion::BodyRequest position_for_kick(const KickSituation& situation, const KickGeometry& kick,

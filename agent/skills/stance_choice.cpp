@@ -19,6 +19,19 @@ constexpr double kPlacedTurn = 0.2;      // rad
 
 }  // namespace
 
+KickGeometry no_farther(const KickGeometry& kick, double longest) {
+    KickGeometry capped = kick;
+    capped.suits = [=](int strike, double distance) {
+        return kick.suits(strike, std::min(distance, longest));
+    };
+    capped.possible = [=](motion::Kick wish) {
+        wish.distance = std::min(wish.distance, longest);
+        return kick.possible(wish);
+    };
+    capped.reach = [=](double wanted) { return kick.reach(std::min(wanted, longest)); };
+    return capped;
+}
+
 double time_to_stand(const Pose2& self, const Pose2& stance, const Vec2& ball,
                      const SkillConfig& c) {
     const double turn = std::abs(wrap_angle(stance.yaw - self.yaw));

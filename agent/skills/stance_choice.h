@@ -22,7 +22,13 @@ struct KickGeometry {
     std::function<bool(const motion::Kick&)> possible;
     /// How far the ball goes, m, when so much is wanted: engines have few swings.
     std::function<double(double wanted)> reach;
+    /// How far off a stance may be along the kick, as a share of config.kick_tolerance_x.
+    std::function<double(int strike)> stance_share = [](int) { return 1.0; };
 };
+
+/// The same, for one who never asks for more than `longest` metres: what is wanted beyond is done with
+/// the kicks for that.
+KickGeometry no_farther(const KickGeometry& kick, double longest);
 
 /// A pose from which the ball can be kicked where it shall go.
 struct Stance {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A rolling ball: getting hold of it, and foreseeing where it will stop.
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 
@@ -14,6 +15,11 @@ constexpr double kHeldDistance = 0.45;  // m from the robot
 constexpr double kHeldSpeed = 0.3;      // m/s
 constexpr double kHeldFor = 0.3;        // s
 constexpr double kRollLimit = 14.0;     // s
+constexpr double kKickedSpeed = 1.5;    // m/s: faster than feet push it by accident
+constexpr double kKickRoom = 1.8;       // m ahead of the robot that watches
+constexpr double kKickerBehind = 0.5;   // m
+constexpr double kKickLeast = 3.0;      // m asked of the kicker
+constexpr double kKickMost = 7.0;
 
 }  // namespace
 
@@ -56,39 +62,88 @@ Plan plan_intercept(const spec::DrillSpec& spec, int, RandomStream& random) {
     return plan;
 }
 
-Plan plan_ball_rolls(const spec::DrillSpec& spec, int, RandomStream& random) {
-    const spec::DrillSetup s = spec.setup;
-    const Pose2 robot{{-9.0, 0.0}, 0.0};
-    const Vec2 ball = robot.position + direction(random.uniform(-0.6, 0.6)) * random.uniform(0.5, 4.0);
-    const double speed = random.uniform(s.roll_least, s.roll_most);
-    const Vec2 velocity = direction(random.uniform(-kPi, kPi)) * speed;
-    Plan plan;
-    plan.agent_settings = {"drill.task=stand"};
-    plan.act = [=](Stage& stage) {
-        stage.begin(robot, ball_at(ball));
+namespace {
+
+/// A roll to foresee: the ball lies, then the trainer sets it rolling, or a second robot kicks it.
+struct Roll {
+    Pose2 robot{{-9.0, 0.0}, 0.0};
+    Vec2 ball;
+    double heading = 0.0;
+    double speed = 0.0;           ///< m/s, of a ball set rolling
+    std::optional<Pose2> kicker;  ///< before its approach
+};
+
+/// The first moment in which the ball moves this fast, or the last one.
+std::size_t first_faster(const std::vector<Moment>& moments, double speed) {
+    std::size_t i = 0;
+    while (i + 1 < moments.size() && moments[i].ball_velocity.norm() < speed) ++i;
+    return i;
+}
+
+void act_roll(Stage& stage, const Roll& roll, double kick_limit) {
+    stage.begin(roll.robot, ball_at(roll.ball), roll.kicker);
+    Vec3 before = stage.truth().ball;
+    if (roll.kicker) {
+        stage.until(kick_limit, [&](const Truth& t) {
+            const double gone = (t.ball - before).head<2>().norm();
+            before = t.ball;
+            return gone > kKickedSpeed * kFrameSeconds;
+        });
+    } else {
         // It is seen to lie before it rolls, as before a kick.
         stage.until(0.6, [](const Truth&) { return false; });
-        stage.command(ball_at(ball, velocity));
-        int still = -10;
-        Vec3 before = stage.truth().ball;
-        stage.until(kRollLimit, [&](const Truth& t) {
-            still = (t.ball - before).head<2>().norm() < 1e-3 ? still + 1 : std::min(still, 0);
-            before = t.ball;
-            return still > 3;
-        });
-    };
-    plan.measure = [=](const std::vector<Moment>& moments) {
-        Measured out;
-        out.reason = "done";
-        out.metrics["ball_speed_mps"] = speed;
-        out.metrics["rolled_m"] = (moments.back().truth.ball.head<2>() - ball).norm();
-        for (std::size_t i = 1; i < moments.size(); ++i) {
-            if (moments[i].ball_velocity.norm() < 0.5 * speed) continue;
-            add_finish_errors(moments, i - 1, out);
-            break;
-        }
-        return out;
-    };
+        stage.command(ball_at(roll.ball, direction(roll.heading) * roll.speed));
+    }
+    int still = -10;
+    before = stage.truth().ball;
+    stage.until(kRollLimit, [&](const Truth& t) {
+        still = (t.ball - before).head<2>().norm() < 1e-3 ? still + 1 : std::min(still, 0);
+        before = t.ball;
+        return still > 3;
+    });
+}
+
+Measured measure_roll(const std::vector<Moment>& moments, const Roll& roll) {
+    Measured out;
+    const std::size_t begun = first_faster(moments, roll.kicker ? kKickedSpeed : 0.5 * roll.speed);
+    const bool rolls = begun + 1 < moments.size();
+    out.reason = rolls ? "done" : "no_kick";
+    if (!rolls) return out;
+    const std::size_t from = begun > 0 ? begun - 1 : 0;
+    const Vec2 start = moments[from].truth.ball.head<2>();
+    out.metrics["rolled_m"] = (moments.back().truth.ball.head<2>() - start).norm();
+    out.metrics["ball_speed_mps"] = roll.kicker ? moments[begun + 1].ball_velocity.norm() : roll.speed;
+    add_finish_errors(moments, from, "finish", out);
+    if (!roll.kicker) return out;
+    add_finish_errors(moments, from, "kicked", out);
+    double top = 0.0;
+    for (const Moment& m : moments) top = std::max(top, m.truth.ball.z());
+    out.metrics["kicked_height_m"] = top;
+    return out;
+}
+
+}  // namespace
+
+Plan plan_ball_rolls(const spec::DrillSpec& spec, int index, RandomStream& random) {
+    const spec::DrillSetup s = spec.setup;
+    Roll roll;
+    roll.ball = roll.robot.position + direction(random.uniform(-0.6, 0.6)) * random.uniform(0.5, 4.0);
+    roll.speed = random.uniform(s.roll_least, s.roll_most);
+    roll.heading = random.uniform(-kPi, kPi);
+    const bool odd = (spec.seed + static_cast<std::uint64_t>(index)) % 2 == 1;
+    Plan plan;
+    plan.agent_settings = {"drill.task=stand"};
+    if (odd && s.roll_kicked) {
+        // Not so near that the kicker walks into the robot that watches.
+        roll.ball.x() = std::max(roll.ball.x(), roll.robot.position.x() + kKickRoom);
+        const Vec2 along = direction(roll.heading);
+        roll.kicker = Pose2{roll.ball - kKickerBehind * along, roll.heading};
+        const Vec2 target = roll.ball + along * random.uniform(kKickLeast, kKickMost);
+        plan.second_settings = {"drill.task=kick", fmt::format("drill.target_x={}", target.x()),
+                                fmt::format("drill.target_y={}", target.y())};
+    }
+    plan.act = [=](Stage& stage) { act_roll(stage, roll, s.kick_limit_s); };
+    plan.measure = [=](const std::vector<Moment>& moments) { return measure_roll(moments, roll); };
     return plan;
 }
 

@@ -115,7 +115,7 @@ Measured measure_kick(const std::vector<Moment>& moments, const Vec2& target, do
     out.metrics["within_1m_of_wanted"] = std::abs(distance - wanted) <= 1.0 ? 1.0 : 0.0;
     out.metrics["target_error_m"] = (kick->to - target).norm();
     add_fitness(*kick, moments, target, out);
-    add_finish_errors(moments, kick->at + 1, out);
+    add_finish_errors(moments, kick->at + 1, "finish", out);
     return out;
 }
 

@@ -80,7 +80,8 @@ void add_estimate_errors(const std::vector<Moment>& moments, Measured& out) {
     if (!ball.empty()) out.metrics["ball_error_percent"] = mean_of(ball);
 }
 
-void add_finish_errors(const std::vector<Moment>& moments, std::size_t from, Measured& out) {
+void add_finish_errors(const std::vector<Moment>& moments, std::size_t from, const char* name,
+                       Measured& out) {
     const Vec2 finish = moments.back().truth.ball.head<2>();
     std::vector<double> squares;
     for (std::size_t i = from; i < moments.size(); ++i) {
@@ -91,10 +92,10 @@ void add_finish_errors(const std::vector<Moment>& moments, std::size_t from, Mea
         if (!is_at_rest(m.ball_velocity)) squares.push_back(error * error);
         for (const double mark : {0.2, 0.5, 1.0, 1.5, 2.0, 3.0}) {
             if (after < mark - 1e-6 || after > mark + kFrameSeconds - 2e-6) continue;
-            out.metrics[fmt::format("finish_error_{:.1f}s_m", mark)] = error;
+            out.metrics[fmt::format("{}_error_{:.1f}s_m", name, mark)] = error;
         }
     }
-    if (!squares.empty()) out.metrics["finish_loss"] = mean_of(squares);
+    if (!squares.empty()) out.metrics[fmt::format("{}_loss", name)] = mean_of(squares);
 }
 
 Plan plan(const spec::DrillSpec& spec, int index, RandomStream& random) {

@@ -23,6 +23,7 @@ struct Measured {
 
 struct Plan {
     std::vector<std::string> agent_settings;
+    std::vector<std::string> second_settings;  ///< of a second robot of ours; empty: there is none
     std::function<void(Stage&)> act;  ///< from begin() on
     std::function<Measured(const std::vector<Moment>&)> measure;
 };
@@ -52,9 +53,10 @@ int count_falls(const std::vector<Moment>& moments);
 /// Errors of the agent's estimates, measured in every drill: of its pose while upright, and of the
 /// ball while it is in view and less than 6 m away.
 void add_estimate_errors(const std::vector<Moment>& moments, Measured& out);
-/// Errors of the predicted stopping point `after` seconds of rolling from `from` on to where the
-/// ball comes to rest, and the paper's loss (3.2), mean over the sights.
-void add_finish_errors(const std::vector<Moment>& moments, std::size_t from, Measured& out);
+/// Errors of the predicted stopping point some seconds of rolling from `from` on to where the ball comes
+/// to rest, as metrics whose names begin with `name`, and the paper's loss (3.2), mean over the sights.
+void add_finish_errors(const std::vector<Moment>& moments, std::size_t from, const char* name,
+                       Measured& out);
 /// The ball lies still, or nearly.
 bool is_at_rest(const Vec2& ball_velocity);
 

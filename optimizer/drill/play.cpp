@@ -28,7 +28,7 @@ k3d::episode::Result play(const spec::DrillSpec& spec, int index, const std::str
     const std::uint64_t seed = spec.seed + static_cast<std::uint64_t>(index);
     RandomStream random(seed, spec.name, "drill");
     const Plan plan = drill::plan(spec, index, random);
-    Stage stage(spec, seed, plan.agent_settings, folder, http_port);
+    Stage stage(spec, seed, plan.agent_settings, plan.second_settings, folder, http_port);
     if (stage.page_port() >= 0) page(stage.page_port());
     plan.act(stage);
     stage.finish();

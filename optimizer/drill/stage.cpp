@@ -19,6 +19,8 @@ constexpr double kSeatPatience = 20.0;  // s, simulated, for the robot to appear
 constexpr double kStandUp = 1.0;        // s from straight legs to the stance
 constexpr double kSettle = 2.5;         // s to find out where one is
 constexpr std::chrono::seconds kEndPatience{10};
+constexpr const char* kAgentLog = "/agent.log";
+constexpr const char* kSecondLog = "/second.log";
 
 std::string program(const std::string& wanted, const char* name) {
     if (!wanted.empty()) return wanted;
@@ -48,7 +50,8 @@ void add_settings(std::vector<std::string>& words, const std::vector<std::string
 }  // namespace
 
 Stage::Stage(const spec::DrillSpec& spec, std::uint64_t seed,
-             const std::vector<std::string>& agent_settings, const std::string& folder,
+             const std::vector<std::string>& agent_settings,
+             const std::vector<std::string>& second_settings, const std::string& folder,
              int http_port)
     : folder_(folder),
       host_(spec.host),
@@ -58,7 +61,8 @@ Stage::Stage(const spec::DrillSpec& spec, std::uint64_t seed,
       batch_(own_server_ && pace_of(spec, http_port) == "fast"),
       agent_port_(spec.agent_port),
       monitor_port_(spec.server_port) {
-    if (own_server_) start_server(spec, seed, http_port);
+    const bool two = !second_settings.empty();
+    if (own_server_) start_server(spec, seed, http_port, two ? 2 : 1);
     trainer_ = std::make_unique<net::Client>(host_, static_cast<std::uint16_t>(monitor_port_),
                                              patience_);
     // The trainer joins before there is an agent: from the first cycle on it is waited for.
@@ -69,17 +73,19 @@ Stage::Stage(const spec::DrillSpec& spec, std::uint64_t seed,
         trainer_->send(commands_);
         commands_.clear();
     }
-    start_agent(spec, seed, agent_settings);
+    agent_ = start_agent(spec, seed, 1, agent_settings);
+    if (two) second_ = start_agent(spec, seed, 2, second_settings);
 }
 
-void Stage::start_server(const spec::DrillSpec& spec, std::uint64_t seed, int http_port) {
+void Stage::start_server(const spec::DrillSpec& spec, std::uint64_t seed, int http_port,
+                         int robots) {
     std::vector<std::string> words{program(spec.server_program, "k3d-server"),
                                    "--agent-port", "0", "--server-port", "0",
                                    "--seed", std::to_string(seed),
                                    "--pace", pace_of(spec, http_port),
                                    "--lobby-s", fmt::format("{}", spec.patience_s),
                                    "--hung-agent-s", fmt::format("{}", spec.patience_s),
-                                   "--set", "pace.lobby_left=1"};
+                                   "--set", fmt::format("pace.lobby_left={}", robots)};
     if (http_port >= 0) {
         words.insert(words.end(), {"--http", std::to_string(http_port), "--beliefs", folder_});
     }
@@ -96,31 +102,34 @@ void Stage::start_server(const spec::DrillSpec& spec, std::uint64_t seed, int ht
     if (http_port >= 0) page_port_ = port_in(ready, "http");
 }
 
-void Stage::start_agent(const spec::DrillSpec& spec, std::uint64_t seed,
-                        const std::vector<std::string>& settings) {
+std::unique_ptr<process::Child> Stage::start_agent(const spec::DrillSpec& spec, std::uint64_t seed,
+                                                   int unum,
+                                                   const std::vector<std::string>& settings) {
     std::vector<std::string> words{program(spec.agent_program, "k3d-agent"),
                                    "--host", host_, "--port", std::to_string(agent_port_),
-                                   "--unum", "1", "--team", "Drill", "--role", "drill",
+                                   "--unum", std::to_string(unum), "--team", "Drill", "--role", "drill",
                                    "--type", std::to_string(spec.type),
                                    "--seed", std::to_string(seed),
                                    "--patience-s", fmt::format("{}", spec.patience_s),
-                                   "--telemetry", telemetry_file(),
                                    "--set", "belief_interval=0.02"};
+    if (unum == 1) words.insert(words.end(), {"--telemetry", telemetry_file()});
     if (!agent_socket_.empty()) words.insert(words.end(), {"--socket", agent_socket_});
     if (!spec.agent_config.empty()) words.insert(words.end(), {"--config", spec.agent_config});
     add_settings(words, settings);
     add_settings(words, spec::parse_settings(spec.settings).keeper);
-    agent_ = std::make_unique<process::Child>(
-        process::Spawn{words, folder_ + "/agent.log", false, batch_});
+    const char* log = unum == 1 ? kAgentLog : kSecondLog;
+    return std::make_unique<process::Child>(process::Spawn{words, folder_ + log, false, batch_});
 }
 
-void Stage::begin(const Pose2& pose, const wire::BallCommand& ball) {
+void Stage::begin(const Pose2& pose, const wire::BallCommand& ball,
+                  const std::optional<Pose2>& second) {
     if (!until(kSeatPatience, [](const Truth& t) { return t.robot.has_value(); })) {
         fail("no robot has appeared");
     }
     const auto never = [](const Truth&) { return false; };
     until(kStandUp, never);
     place(pose);
+    if (second) place(*second, 2);
     until(kSettle, never);
     command(wire::PlayModeCommand{"PlayOn"});
     command(ball);
@@ -133,10 +142,10 @@ void Stage::begin(const Pose2& pose, const wire::BallCommand& ball) {
 
 void Stage::command(const wire::TrainerCommand& command) { wire::encode(command, commands_); }
 
-void Stage::place(const Pose2& pose) {
+void Stage::place(const Pose2& pose, int unum) {
     const double height = truth().robot->torso.z() + 0.005;
     // On the wire 0 means forward along +y.
-    command(wire::AgentCommand{1, wire::Side::Left,
+    command(wire::AgentCommand{unum, wire::Side::Left,
                                Vec3(pose.position.x(), pose.position.y(), height),
                                wrap_degrees(degrees(pose.yaw) - 90.0)});
 }
@@ -180,6 +189,7 @@ void Stage::wait_for(std::string_view& frame) {
             if (!waited || net::Clock::now() >= deadline) fail(error.what());
         }
         if (agent_ && agent_->poll()) fail("the agent has left");
+        if (second_ && second_->poll()) fail("the second agent has left");
     }
 }
 
@@ -201,8 +211,10 @@ void Stage::finish() {
         if (!server_->wait(kEndPatience)) fail("the server does not end");
     } else {
         agent_->terminate();
+        if (second_) second_->terminate();
     }
     if (!agent_->wait(kEndPatience)) fail("the agent does not end");
+    if (second_ && !second_->wait(kEndPatience)) fail("the second agent does not end");
 }
 
 /// Whoever ended first is the cause.
@@ -214,7 +226,8 @@ void Stage::fail(const std::string& what) {
             why += "; " + episode::describe_end(name, *exit, folder_ + log);
         }
     };
-    add_end(agent_.get(), "agent", "/agent.log");
+    add_end(agent_.get(), "agent", kAgentLog);
+    add_end(second_.get(), "second agent", kSecondLog);
     add_end(server_.get(), "server", "/server.log");
     throw DrillFailure(why);
 }

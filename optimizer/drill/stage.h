@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The place of one drill: a server and one agent as processes of their own, and a trainer that
-// places ball and robot and sees the truth. On a server that runs already only the agent is ours.
+// The place of one drill: a server and one agent as processes of their own, a second agent where the
+// drill needs a robot that kicks to be watched, and a trainer that places ball and robots and sees the
+// truth. On a server that runs already only the agents are ours.
 //
 // A server of ours waits for the trainer's (syn) after each frame, so that a drill with the same
 // seed is the same drill; the reference server waits for nobody.
@@ -9,6 +10,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -30,17 +32,20 @@ class DrillFailure : public std::runtime_error {
 
 class Stage {
   public:
-    /// `agent_settings`: path=value words. `http_port` -1: no page. All files go to `folder`.
-    /// Throws DrillFailure, process::ProcessError, net::NetError.
+    /// `agent_settings`: path=value words; `second_settings` those of the second robot, empty: there
+    /// is none. `http_port` -1: no page. All files go to `folder`. Throws DrillFailure, process::ProcessError, net::NetError.
     Stage(const spec::DrillSpec& spec, std::uint64_t seed,
-          const std::vector<std::string>& agent_settings, const std::string& folder, int http_port);
+          const std::vector<std::string>& agent_settings,
+          const std::vector<std::string>& second_settings, const std::string& folder, int http_port);
 
-    /// Lets the robot stand up, places it in its own half and gives it time to find out where it
-    /// is; then the game is on, and the drill's time and track begin.
-    void begin(const Pose2& pose, const wire::BallCommand& ball);
+    /// Lets the robots stand up, places them in their own half and gives them time to find out where
+    /// they are; then the game is on, and the drill's time and track begin.
+    void begin(const Pose2& pose, const wire::BallCommand& ball,
+               const std::optional<Pose2>& second = std::nullopt);
     void command(const wire::TrainerCommand& command);
-    /// Moves the robot; it keeps its joints, stands upright and looks along pose.yaw.
-    void place(const Pose2& pose);
+    /// Moves the robot, or the second one; it keeps its joints, stands upright and looks along
+    /// pose.yaw.
+    void place(const Pose2& pose, int unum = 1);
 
     /// Sends what was commanded and waits for the next frame.
     const Truth& next();
@@ -59,9 +64,9 @@ class Stage {
     void finish();
 
   private:
-    void start_server(const spec::DrillSpec& spec, std::uint64_t seed, int http_port);
-    void start_agent(const spec::DrillSpec& spec, std::uint64_t seed,
-                     const std::vector<std::string>& settings);
+    void start_server(const spec::DrillSpec& spec, std::uint64_t seed, int http_port, int robots);
+    std::unique_ptr<process::Child> start_agent(const spec::DrillSpec& spec, std::uint64_t seed,
+                                                int unum, const std::vector<std::string>& settings);
     void receive();
     void wait_for(std::string_view& frame);
     [[noreturn]] void fail(const std::string& what);
@@ -79,6 +84,7 @@ class Stage {
     std::unique_ptr<process::Child> server_;
     std::unique_ptr<net::Client> trainer_;
     std::unique_ptr<process::Child> agent_;
+    std::unique_ptr<process::Child> second_;
     std::string commands_;
     Scene scene_;
     bool asked_ = false;  ///< next() was called before

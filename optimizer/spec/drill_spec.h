@@ -34,6 +34,7 @@ struct DrillSetup {
     double kick_limit_s = 25.0;
     double roll_least = 1.0;
     double roll_most = 6.0;
+    bool roll_kicked = true;
 
     void describe(config::Fields& f) {
         f.number("walk_m", walk_m, {1.0, 14.0}, "m", "walk, backward, sideways: how far");
@@ -59,10 +60,12 @@ struct DrillSetup {
         f.number("target_turn_deg", target_turn_deg, {0.0, 180.0}, "deg",
                  "kick: the target lies up to this far off the line from robot to ball");
         f.number("kick_limit_s", kick_limit_s, {1.0, 200.0}, "s",
-                 "kick, kick_task, intercept: time until the ball must be kicked");
+                 "kick, kick_task, intercept, ball_rolls: time until the ball must be kicked");
         f.number("roll_least", roll_least, {0.1, 10.0}, "m/s",
                  "ball_rolls, intercept: slowest ball");
         f.number("roll_most", roll_most, {0.1, 10.0}, "m/s", "and the fastest");
+        f.boolean("roll_kicked", roll_kicked,
+                  "ball_rolls: with odd seeds a second robot kicks the ball");
     }
 };
 

@@ -57,7 +57,7 @@ TEST(KickByType, OtherTypesTakeTheCommonKickAndOnlyTypeZeroKicksAside) {
     for (const int type : {0, 2, 4}) {
         agent::kick::Config common;
         agent::kick::Config own = kick_of_type(common, {}, type);
-        common.slant.on = common.square.on = type == 0;
+        common.farthest.on = common.slant.on = common.square.on = type == 0;
         EXPECT_EQ(config::print(config::describing(own)), config::print(config::describing(common)));
     }
 }

@@ -73,7 +73,7 @@ TEST_P(EitherFoot, SendsAMisplacedBallFarAndStraightWithoutAFall) {
     for (int n = 0; n < kKicks; ++n) {
         const Vec2 ball_off(random.uniform(-0.015, 0.015), random.uniform(-0.015, 0.015));
         const double turned = radians(random.uniform(-3.0, 3.0));
-        const Outcome o = kick_once({Way::Straight, GetParam()}, 10.0, ball_off, turned);
+        const Outcome o = kick_once({Way::Straight, GetParam()}, 6.0, ball_off, turned);
         if (!o.fell && o.distance >= 3.0) ++good;
         off.push_back(o.off_deg);
         EXPECT_LT(o.duration, 1.5);
@@ -89,6 +89,20 @@ TEST_P(EitherFoot, KicksShorterWhenAskedTo) {
     EXPECT_FALSE(far.fell);
     EXPECT_NEAR(near.distance, Config{}.near.reach_m, 0.7);
     EXPECT_NEAR(far.distance, Config{}.far.reach_m, 0.7);
+}
+
+TEST_P(EitherFoot, SendsABallFartherThanTheOtherSwingsReach) {
+    RandomStream random(4, "kick_test", "farthest");
+    const Config config;
+    std::vector<double> distance;
+    for (int n = 0; n < 20; ++n) {
+        const Vec2 ball_off(random.uniform(-0.008, 0.008), random.uniform(-0.015, 0.015));
+        const Outcome o = kick_once({Way::Farthest, GetParam()}, 9.0, ball_off, 0.0);
+        EXPECT_FALSE(o.fell) << n;
+        EXPECT_LT(o.duration, 1.5);
+        distance.push_back(o.distance);
+    }
+    EXPECT_GE(median(distance), 6.0);
 }
 
 TEST_P(EitherFoot, SendsAMisplacedBallAsideWithoutAFall) {
@@ -120,7 +134,8 @@ TEST(KickReach, TheStandPosePutsTheBallInReachOfThatStrike) {
     for (const Strike& strike : kStrikes) {
         for (const double direction : {-3.0, -1.0, 0.0, 0.5, 2.9}) {
             const Pose2 pose = stand_pose(config, ball, direction, strike);
-            const Kick kick{pose.to_local(ball), wrap_angle(direction - pose.yaw), 4.8};
+            const double wanted = strike.way == Way::Farthest ? config.farthest.from_m + 1.0 : 4.8;
+            const Kick kick{pose.to_local(ball), wrap_angle(direction - pose.yaw), wanted};
             EXPECT_EQ(possible_strike(config, kick), strike) << direction;
         }
     }
@@ -128,7 +143,7 @@ TEST(KickReach, TheStandPosePutsTheBallInReachOfThatStrike) {
 
 TEST(KickReach, TheLeftFootMirrorsTheRight) {
     const Config config;
-    for (const Way way : {Way::Straight, Way::Slant, Way::Square}) {
+    for (const Way way : {Way::Straight, Way::Slant, Way::Square, Way::Farthest}) {
         const Pose2 right = stand_pose(config, Vec2::Zero(), 0.0, {way, Foot::Right});
         const Pose2 left = stand_pose(config, Vec2::Zero(), 0.0, {way, Foot::Left});
         EXPECT_NEAR(left.yaw, -right.yaw, 1e-12);
@@ -162,6 +177,21 @@ TEST(KickReach, ASwingToTheSideKnowsOneDistanceAndCanBeSwitchedOff) {
     config.slant.on = false;
     EXPECT_FALSE(kick_possible(config, kick));
     EXPECT_FALSE(suits(config, slant, reach));
+}
+
+TEST(KickReach, TheLongestSwingIsForWhatTheOthersDoNotReach) {
+    Config config;
+    const Strike farthest{Way::Farthest, Foot::Left};
+    const Strike straight{Way::Straight, Foot::Left};
+    const double from = config.farthest.from_m;
+    EXPECT_FALSE(suits(config, farthest, from));
+    EXPECT_TRUE(suits(config, straight, from));
+    EXPECT_TRUE(suits(config, farthest, from + 0.1));
+    EXPECT_FALSE(suits(config, straight, from + 0.1));
+    EXPECT_LT(stance_share(config, farthest), stance_share(config, straight));
+    config.farthest.on = false;
+    EXPECT_FALSE(suits(config, farthest, from + 0.1));
+    EXPECT_TRUE(suits(config, straight, from + 0.1));
 }
 
 TEST(KickConfig, TheFileHoldsTheTunedValues) {

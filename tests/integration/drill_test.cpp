@@ -69,6 +69,18 @@ TEST_F(Drills, AFallenRobotIsMeasuredGettingUp) {
     EXPECT_GT(result.metrics.at("up_after_s"), 0.5);
 }
 
+TEST_F(Drills, ASecondRobotKicksABallWhoseStopIsForeseen) {
+    ASSERT_EQ(run({"ball_rolls", "--results", file("lines"), "--seed", "1001", "--runs", "1",
+                   "--set", "server:physics.stepper=fast"}),
+              0)
+        << content("said");
+    const episode::Result result = episode::from_line(content("lines"));
+    EXPECT_EQ(result.reason, "done");
+    EXPECT_EQ(result.attempts, 0) << "the robot that is measured only watches";
+    EXPECT_GT(result.metrics.at("rolled_m"), 2.5);
+    EXPECT_LT(result.metrics.at("kicked_error_1.5s_m"), 0.3);
+}
+
 TEST_F(Drills, AServerThatRunsAlreadyIsUsed) {
     ServerProcess server({"--pace", "realtime"});
     ASSERT_EQ(run({"turn", "--runs", "1", "--set", "setup.turn_s=1.5", "--agent-port",

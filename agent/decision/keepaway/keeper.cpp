@@ -73,10 +73,10 @@ Keeper::Keeper(const KeeperSettings& settings, Policy policy, const skills::Kick
                RandomStream choices)
     : settings_(settings),
       policy_(std::move(policy)),
-      kick_(kick),
+      kick_(skills::no_farther(kick, settings.keeper.longest_kick)),
       choices_(choices),
       grid_(target_grid(settings.keepaway.side, settings.evaluation)),
-      possession_(make_possession(settings.possession, settings.skills, kick)) {
+      possession_(make_possession(settings.possession, settings.skills, kick_)) {
     situation_.takers.reserve(kMostRobots);
     situation_.receivers.reserve(kMostRobots);
     obstacles_.reserve(kMostRobots + 1);
@@ -196,7 +196,10 @@ motion::BodyRequest Keeper::act_k1(const world::Beliefs& b, const motion::State&
     };
     motion::BodyRequest request = possession_.get_skill(input);
     account.skill = possession_.state_name();
-    if (const auto* kick = std::get_if<motion::Kick>(&request)) swing_ = *kick;
+    if (auto* kick = std::get_if<motion::Kick>(&request)) {
+        kick->distance = std::min(kick->distance, c.longest_kick);
+        swing_ = *kick;
+    }
     return request;
 }
 

@@ -9,6 +9,34 @@ namespace k3d::agent::kick {
 
 namespace {
 
+LongSwing tuned_farthest() {
+    LongSwing a;
+    a.from_m = 6.0;
+    a.stance_share = 0.67;
+    a.place.ball_forward = 0.179;
+    a.place.ball_outward = 0.033;
+    a.place.reach_forward = 0.025;
+    a.place.reach_sideways = 0.045;
+    a.place.reach_direction_deg = 12;
+    a.place.aim_outward_deg = 2;
+    a.swing.reach_m = 6.8;
+    a.swing.duration_s = {0.28, 0.02, 0.02, 0.02, 0.18};
+    a.swing.kicking.hip_yaw_pitch_deg = {-2, -21.1, -2.2, 0, -3.5};
+    a.swing.kicking.hip_roll_deg = {-14.5, -35.2, -13.6, 17.5, -2.2};
+    a.swing.kicking.hip_pitch_deg = {52.5, -11.4, 10.6, 94.2, 49.1};
+    a.swing.kicking.knee_deg = {-89, -10.3, -28.5, -53.3, -13.9};
+    a.swing.kicking.ankle_pitch_deg = {25.4, 66.9, 69.3, -2.6, -16.3};
+    a.swing.kicking.ankle_roll_deg = {-1.2, 7.7, -14.1, -5.7, 1.5};
+    a.swing.support.hip_yaw_pitch_deg = {-32.1, -12.2, -5.9, -1.7, -0.7};
+    a.swing.support.hip_roll_deg = {-21.2, 0.4, -26.3, -3.7, 19.8};
+    a.swing.support.hip_pitch_deg = {4.1, 19.4, 50.3, -24, 44.5};
+    a.swing.support.knee_deg = {-36.2, -35.2, -45.6, -36.9, -55};
+    a.swing.support.ankle_pitch_deg = {29.3, 49.5, 35.8, 29.4, 54.7};
+    a.swing.support.ankle_roll_deg = {18.8, 23, 18.5, 6.8, -4.2};
+    a.swing.stand_s = 0.33;
+    return a;
+}
+
 AngledSwing tuned_slant() {
     AngledSwing a;
     a.place.ball_forward = 0.156;
@@ -103,6 +131,7 @@ Config::Config() {
     near.support.ankle_roll_deg = {14, 18.3, 20.7, 6.2, -9};
     near.stand_s = 0.32;
 
+    farthest = tuned_farthest();
     slant = tuned_slant();
     square = tuned_square();
 }
@@ -115,6 +144,7 @@ double Config::far_share(double distance) const {
 }
 
 double Config::reach_for(double distance) const {
+    if (farthest.on && distance > farthest.from_m) return std::min(distance, farthest.swing.reach_m);
     return std::max(std::min(distance, far.reach_m), near.reach_m);
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Parameters of the kick: where the ball must lie, and the keyframes of swings of the right foot,
-// which the left one mirrors: a far and a near one straight ahead, and two to the outside.
+// which the left one mirrors: a far and a near one straight ahead, a longer one, and two to the outside.
 #pragma once
 
 #include <vector>
@@ -74,6 +74,25 @@ struct Placement {
     }
 };
 
+/// A straight swing for targets that the others do not reach. The ball must lie at another place for
+/// it, and more exactly, which takes longer to prepare.
+struct LongSwing {
+    bool on = true;
+    double from_m = 6.0;
+    double stance_share = 1.0;
+    Placement place;
+    Swing swing;
+
+    void describe(config::Fields& f) {
+        f.boolean("on", on, "whether the robot kicks this way");
+        f.number("from_m", from_m, {0.0, 20.0}, "m", "used where more than this is wanted");
+        f.number("stance_share", stance_share, {0.05, 2.0}, "",
+                 "error of the stance along the kick, over the other kicks'");
+        place.describe(f);
+        swing.describe(f);
+    }
+};
+
 /// A swing that sends the ball aside, so that the robot need not walk round it first. It knows one
 /// distance.
 struct AngledSwing {
@@ -95,9 +114,10 @@ struct Config {
 
     Swing far;   ///< as far as it goes
     Swing near;  ///< for short passes
+    LongSwing farthest;
     AngledSwing slant;   ///< half to the side
     AngledSwing square;  ///< to the side
-    double angled_miss_m = 1.0;
+    double angled_miss_m = 0.35;
 
     Config();  ///< the tuned values
 
@@ -114,6 +134,7 @@ struct Config {
                  "longest wait for standing quietly");
         f.section("far", far);
         f.section("near", near);
+        f.section("farthest", farthest);
         f.number("angled_miss_m", angled_miss_m, {0.0, 20.0}, "m",
                  "slant and square are used where their reach is off the wanted distance by less");
         f.section("slant", slant);

@@ -55,6 +55,7 @@ KickEngine::Mix KickEngine::mix_for(double distance) const {
         case Way::Straight: break;
         case Way::Slant: return {config_.slant.swing, config_.slant.swing, 0.0};
         case Way::Square: return {config_.square.swing, config_.square.swing, 0.0};
+        case Way::Farthest: return {config_.farthest.swing, config_.farthest.swing, 0.0};
     }
     return {config_.near, config_.far, config_.far_share(distance)};
 }

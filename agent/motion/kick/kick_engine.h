@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Kicks a ball that lies within reach of a foot: leans over the other foot, swings, sets the foot
 // down and returns to the stand, all as keyframes (mirrored for the left foot). Straight ahead the
-// distance wanted mixes a far and a near swing, keyframe by keyframe; to the side there is one.
+// distance wanted mixes a far and a near swing, keyframe by keyframe; beyond what they reach, and to the
+// side, there is one.
 //
 // The motion is open-loop and short, so that it is over before a small error grows; keyframes are
 // found by search in the exact physics (see kick.toml). Radians, seconds, metres.

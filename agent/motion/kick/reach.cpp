@@ -15,6 +15,7 @@ const Placement& placement(const Config& c, Way way) {
     switch (way) {
         case Way::Straight: return c.straight;
         case Way::Slant: return c.slant.place;
+        case Way::Farthest: return c.farthest.place;
         case Way::Square: break;
     }
     return c.square.place;
@@ -39,9 +40,15 @@ double misfit(const Placement& p, const motion::Kick& kick, Foot foot) {
 }  // namespace
 
 bool suits(const Config& c, const Strike& strike, double distance) {
-    if (strike.way == Way::Straight) return true;
+    const bool beyond = c.farthest.on && distance > c.farthest.from_m;
+    if (strike.way == Way::Straight) return !beyond;
+    if (strike.way == Way::Farthest) return beyond;
     const AngledSwing& angled = strike.way == Way::Slant ? c.slant : c.square;
     return angled.on && std::abs(distance - angled.swing.reach_m) <= c.angled_miss_m;
+}
+
+double stance_share(const Config& c, const Strike& strike) {
+    return strike.way == Way::Farthest ? c.farthest.stance_share : 1.0;
 }
 
 Pose2 stand_pose(const Config& c, const Vec2& ball, double direction, const Strike& strike) {

@@ -18,6 +18,8 @@ void Config::describe(config::Fields& f) {
 
     f.number("combined", combined, {0.5, 4.0}, "",
              "exponent p: the shares of the three top speeds keep (a^p + b^p + c^p) <= 1");
+    f.number("brisk_combined", brisk_combined, {0.5, 4.0}, "",
+             "combined of a walk that is asked to be brisk");
     f.numbers("type_speed", type_speed, {0.1, 2.0}, "",
               "by robot type: top speeds and accelerations over those of type 0");
     f.numbers("type_step_duration", type_step_duration, {0.5, 2.0}, "",

@@ -27,6 +27,7 @@ struct Config {
     double heading_gain = 3.0;
 
     double combined = 1.0;
+    double brisk_combined = 1.1;
     // By robot type: top speeds and accelerations, and the time of a step, over those of type 0.
     std::vector<double> type_speed{1.0, 1.02, 0.9, 1.1, 1.0};
     std::vector<double> type_step_duration{1.0, 1.0, 1.143, 1.0, 1.0};

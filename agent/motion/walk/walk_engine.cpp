@@ -83,7 +83,7 @@ void WalkEngine::follow(const Walk& wish) {
     };
     // All three at their limit at once would be too much for the legs.
     const double top = wish.forward >= 0.0 ? config_.max_forward : config_.max_backward;
-    const double p = config_.combined;
+    const double p = wish.brisk ? config_.brisk_combined : config_.combined;
     const double load = std::pow(std::pow(of_top(wish.forward, top), p) +
                                      std::pow(of_top(wish.left, config_.max_sideways), p) +
                                      std::pow(of_top(wish.turn, config_.max_turn), p),

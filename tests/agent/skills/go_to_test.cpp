@@ -33,10 +33,22 @@ TEST(WalkTo, AheadBesideBehind) {
     EXPECT_DOUBLE_EQ(ahead.turn, 0.0);
     const motion::Walk left = walk_to({}, {{0.0, 3.0}, 0.0}, {}, kConfig);
     EXPECT_NEAR(left.forward, 0.0, 1e-9);
-    EXPECT_DOUBLE_EQ(left.turn, kConfig.turn_rate);
+    EXPECT_DOUBLE_EQ(left.turn, kConfig.brisk_turn_rate);
     const motion::Walk behind = walk_to({}, {{-3.0, -0.1}, 0.0}, {}, kConfig);
     EXPECT_NEAR(behind.forward, 0.0, 1e-9);
-    EXPECT_DOUBLE_EQ(behind.turn, -kConfig.turn_rate);
+    EXPECT_DOUBLE_EQ(behind.turn, -kConfig.brisk_turn_rate);
+}
+
+TEST(WalkTo, BriskOnlyWhileThePlaceIsFar) {
+    const double far = 1.2 * kConfig.brisk_distance;
+    const motion::Walk beyond = walk_to({}, {{0.0, far}, kPi / 2.0}, {}, kConfig);
+    EXPECT_TRUE(beyond.brisk);
+    EXPECT_DOUBLE_EQ(beyond.turn, kConfig.brisk_turn_rate);
+    const double near = 0.9 * kConfig.brisk_distance;
+    const motion::Walk within = walk_to({}, {{0.0, near}, kPi / 2.0}, {}, kConfig);
+    EXPECT_FALSE(within.brisk);
+    EXPECT_DOUBLE_EQ(within.turn, kConfig.turn_rate);
+    EXPECT_FALSE(walk_onto({}, {0.0, far}, {}, kConfig).brisk);
 }
 
 TEST(WalkTo, TurnedAsTakesTheLeastTime) {

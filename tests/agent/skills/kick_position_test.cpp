@@ -44,6 +44,14 @@ TEST(KickPosition, PressureLoosensTheTolerances) {
     EXPECT_TRUE(decision::test::is_kick(position_for_kick(s, kKick, {}, kConfig)));
 }
 
+TEST(KickPosition, AKickThatMustBePlacedExactlyGetsAShareOfTheTolerance) {
+    KickGeometry exact = kKick;
+    exact.stance_share = [](int) { return 0.5; };
+    const KickSituation s{{{-0.2 + 0.7 * kConfig.kick_tolerance_x, 0.0}, 0.0}, {0.0, 0.0}, {0.0, 0.0}, {5.0, 0.0}, 0.0, true, false, false};
+    EXPECT_TRUE(decision::test::is_kick(position_for_kick(s, kKick, {}, kConfig)));
+    EXPECT_TRUE(decision::test::is_walk(position_for_kick(s, exact, {}, kConfig)));
+}
+
 TEST(KickPosition, KicksOnlyWhatTheEngineCanReach) {
     KickGeometry unable = kKick;
     unable.possible = [](const motion::Kick&) { return false; };

@@ -41,6 +41,18 @@ TEST(StanceChoice, TakesTheKickForWhichItNeedNotWalkRound) {
     EXPECT_NEAR(there.pose.yaw, -kPi / 2.0, 1e-12);
 }
 
+TEST(StanceChoice, WhoNeverAsksForMoreTakesTheKicksForThat) {
+    KickGeometry kick = three_ways();
+    kick.possible = [](const motion::Kick& wish) { return wish.distance < 6.0; };
+    const KickGeometry capped = no_farther(kick, 5.5);
+    EXPECT_FALSE(kick.suits(1, 8.0));
+    EXPECT_TRUE(capped.suits(1, 8.0));
+    EXPECT_FALSE(kick.possible({{}, 0.0, 8.0}));
+    EXPECT_TRUE(capped.possible({{}, 0.0, 8.0}));
+    EXPECT_EQ(capped.reach(8.0), 5.5);
+    EXPECT_EQ(capped.reach(4.0), 4.0);
+}
+
 TEST(StanceChoice, LeavesOutWhatDoesNotSuitTheDistance) {
     EXPECT_EQ(chosen(behind(kPi / 2.0), 2, {8.0, 0.0}), 0);
 }

@@ -60,11 +60,27 @@ TEST(DrillPlan, FinishErrorsAreTakenAtTheirTimes) {
         moments.push_back(m);
     }
     Measured out;
-    add_finish_errors(moments, 0, out);
+    add_finish_errors(moments, 0, "finish", out);
     EXPECT_NEAR(out.metrics.at("finish_error_0.2s_m"), 0.75, 1e-9);
     EXPECT_NEAR(out.metrics.at("finish_error_0.5s_m"), 0.35, 1e-9) << "at 0.52 s";
     EXPECT_EQ(out.metrics.count("finish_error_1.0s_m"), 0U);
     EXPECT_GT(out.metrics.at("finish_loss"), 0.0);
+}
+
+TEST(BallRolls, WithOddSeedsASecondRobotKicksTheBall) {
+    spec::DrillSpec spec;
+    spec.name = "ball_rolls";
+    for (const std::uint64_t seed : {6U, 7U}) {
+        spec.seed = seed;
+        for (const int index : {0, 1}) {
+            RandomStream random(seed, spec.name, "drill");
+            const bool odd = (seed + static_cast<std::uint64_t>(index)) % 2 == 1;
+            EXPECT_EQ(plan(spec, index, random).second_settings.empty(), !odd) << seed << " " << index;
+        }
+    }
+    spec.setup.roll_kicked = false;
+    RandomStream random(7, spec.name, "drill");
+    EXPECT_TRUE(plan(spec, 0, random).second_settings.empty());
 }
 
 TEST(Scenarios, TablesAreDisjointAndWithinTheField) {

@@ -15,7 +15,8 @@ TEST(KickMix, GoesFromNearToFarAndNoFurther) {
     EXPECT_EQ(c.far_share(9.0), 1.0);
     EXPECT_EQ(c.reach_for(2.0), c.near.reach_m);
     EXPECT_EQ(c.reach_for(4.7), 4.7);
-    EXPECT_EQ(c.reach_for(9.0), c.far.reach_m);
+    EXPECT_EQ(c.reach_for(c.farthest.from_m), c.far.reach_m);
+    EXPECT_EQ(c.reach_for(9.0), c.farthest.swing.reach_m);
     double before = 0.0;
     for (double wanted = c.near.reach_m + 0.1; wanted <= c.far.reach_m; wanted += 0.1) {
         EXPECT_GT(c.far_share(wanted), before) << wanted;

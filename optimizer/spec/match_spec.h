@@ -57,7 +57,7 @@ struct MatchSpec {
                "agent, keeper, taker");
         f.integer("jobs", jobs, {1, 256}, "", "episodes at a time; no result depends on it");
         f.boolean("one_process", one_process,
-                  "our own agents share a process: the same lines for a third less processor time");
+                  "our own agents share a process: the same lines for less processor time");
         f.integer("retries", retries, {0, 100}, "",
                   "further tries of an episode that gave no valid result");
         f.number("deadline_s", deadline_s, {0.1, 86400.0}, "s", "wall time of one try");

@@ -44,8 +44,10 @@ Target best_target(const std::vector<Vec2>& grid, const PassSituation& situation
                    const Policy& policy, const EvaluationConfig& config, const Room& room,
                    const std::optional<Vec2>& previous, double keep,
                    std::vector<Scored>* scored) {
-    if (scored != nullptr) scored->clear();
     static thread_local network::State state;  // kept between calls only for its memory
+    static thread_local std::vector<Scored> own;  // likewise
+    std::vector<Scored>& all = scored != nullptr ? *scored : own;
+    all.clear();
     const auto cost_at = [&](const Vec2& point) {
         const Features f = features_at(point, situation, config.ideal_pass_m);
         if (!policy.cost) return hand_coded_cost(f, config);
@@ -57,8 +59,6 @@ Target best_target(const std::vector<Vec2>& grid, const PassSituation& situation
     };
     std::optional<Target> best;
     std::optional<Target> kept;
-    static thread_local std::vector<double> costs;  // likewise
-    costs.clear();
     Vec2 roomiest = Vec2::Zero();
     double most_room = -std::numeric_limits<double>::infinity();
     for (const Vec2& point : grid) {
@@ -70,15 +70,15 @@ Target best_target(const std::vector<Vec2>& grid, const PassSituation& situation
         }
         if (space < 0.0) continue;
         const Target candidate{point, cost_at(point)};
-        if (scored != nullptr) scored->push_back({point, candidate.cost});
-        costs.push_back(candidate.cost);
+        all.push_back({point, candidate.cost});
         if (!best || candidate.cost < best->cost) best = candidate;
         if (previous && (point - *previous).norm() < 1e-6) kept = candidate;
     }
     if (!best) return {roomiest, cost_at(roomiest)};
     if (!kept) return *best;
-    const auto better = std::ranges::count_if(costs, [&](double cost) { return cost < kept->cost; });
-    return static_cast<double>(better) <= keep * static_cast<double>(costs.size()) ? *kept : *best;
+    const auto better =
+        std::ranges::count_if(all, [&](const Scored& other) { return other.cost < kept->cost; });
+    return static_cast<double>(better) <= keep * static_cast<double>(all.size()) ? *kept : *best;
 }
 
 }  // namespace k3d::agent::decision

@@ -8,8 +8,12 @@
 #include <filesystem>
 #include <fstream>
 
+#include "agent/decision/keepaway/scene.h"
+
 namespace k3d::agent::decision {
 namespace {
+
+using test::prefers;
 
 const EvaluationConfig kConfig;
 
@@ -61,15 +65,6 @@ TEST(TargetGrid, ThePapersEightyOnePointsAndOtherAreas) {
     EXPECT_EQ(target_grid(8.0, kConfig).size(), 49u);    // +-3.2
     EXPECT_EQ(target_grid(14.0, kConfig).size(), 121u);  // +-5.6
     for (const Vec2& p : target_grid(14.0, kConfig)) EXPECT_LE(p.cwiseAbs().maxCoeff(), 5.6);
-}
-
-network::Definition prefers(std::size_t feature, double weight) {
-    network::Definition d;
-    for (const auto name : kFeatureNames) d.inputs.push_back({std::string(name)});
-    d.outputs = {"cost"};
-    d.nodes = {{"cost", network::Activation::Linear, 0.0}};
-    d.links = {{std::string(kFeatureNames[feature - 1]), "cost", weight}};
-    return d;
 }
 
 std::string write_network(const network::Definition& d, const std::string& name) {

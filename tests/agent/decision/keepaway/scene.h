@@ -34,6 +34,16 @@ inline world::Beliefs scene(int unum, Pose2 pose, Vec2 ball, double now = 10.0) 
     return b;
 }
 
+/// A linear evaluation function whose cost is `weight` times feature 1..8.
+inline network::Definition prefers(std::size_t feature, double weight) {
+    network::Definition d;
+    for (const auto name : kFeatureNames) d.inputs.push_back({std::string(name)});
+    d.outputs = {"cost"};
+    d.nodes = {{"cost", network::Activation::Linear, 0.0}};
+    d.links = {{std::string(kFeatureNames[feature - 1]), "cost", weight}};
+    return d;
+}
+
 /// A kick from 0.2 m straight behind the ball, possible within 0.4 m, as far as wanted.
 inline skills::KickGeometry simple_kick() {
     return {1,

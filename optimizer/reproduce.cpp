@@ -185,13 +185,10 @@ report::Reproduction gather(const Work& work) {
     return out;
 }
 
-/// Each part's searches, then its tables; false if the user wants to stop.
+/// All searches that are needed, then each part's tables; false if the user wants to stop.
 bool do_parts(Work& work) {
-    for (const spec::Search& search : spec::searches()) {
-        if (!is_needed(work, search)) continue;
-        for (int run = 1; run <= work.budget.searches.at(search.name).runs; ++run) {
-            if (!learn(work, search, run)) return false;
-        }
+    for (const auto& [search, run] : spec::runs_in_order(work.budget)) {
+        if (is_needed(work, *search) && !learn(work, *search, run)) return false;
     }
     for (const std::string& part : work.parts) {
         for (const spec::TableSpec& table : spec::tables_of(part, work.budget)) {
@@ -218,6 +215,10 @@ int reproduce(Flags flags) {
         spec::check_command("--foreign-takers", flags.foreign_takers);
         work.budget.foreign_takers = flags.foreign_takers;
     }
+    // Agents start in other folders.
+    work.budget.start = fs::absolute(flags.experiments + "/networks/evaluation_linear.json")
+                            .lexically_normal()
+                            .string();
     fs::create_directories(flags.out);
     const bool done = do_parts(work);
     progress.say(progress.summary());

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <stdexcept>
 
@@ -60,11 +61,21 @@ TableSpec keepaway_table(std::string name, std::string title, const Budget& budg
     return table;
 }
 
-std::vector<RowSpec> keepaway_baselines() {
-    return {plain("algorithm2", "Algorithm 2 as printed", "keeper.policy=handcoded"),
-            plain("random", "Random target", "keeper.policy=random"),
-            plain("hold", "Always hold", "keeper.policy=hold"),
-            plain("still", "Stand still", "keeper.policy=still")};
+RowSpec algorithm2() {
+    return plain("algorithm2", "Algorithm 2 as printed", "keeper.policy=handcoded");
+}
+
+/// What learning has to beat; how much of a gain is the start network's own shows its row.
+std::vector<RowSpec> keepaway_baselines(const Budget& budget) {
+    std::vector<RowSpec> rows{algorithm2()};
+    if (!budget.start.empty()) {
+        rows.push_back(plain("start", "Not learned: the network that searches start from",
+                             "keeper.policy=" + quote_word(budget.start)));
+    }
+    rows.push_back(plain("random", "Random target", "keeper.policy=random"));
+    rows.push_back(plain("hold", "Always hold", "keeper.policy=hold"));
+    rows.push_back(plain("still", "Stand still", "keeper.policy=still"));
+    return rows;
 }
 
 std::vector<TableSpec> table1(const Budget& budget) {
@@ -78,7 +89,7 @@ std::vector<TableSpec> table1(const Budget& budget) {
         TableSpec table = keepaway_table("table1-" + taker, "Table 1, takers " + taker, budget);
         add_learned(table.rows, "table1", budget);
         if (!budget.champion.empty()) table.rows.push_back(champion_file(budget));
-        const auto baselines = keepaway_baselines();
+        const auto baselines = keepaway_baselines(budget);
         table.rows.insert(table.rows.end(), baselines.begin(), baselines.end());
         add(std::move(table), taker);
     }
@@ -87,13 +98,13 @@ std::vector<TableSpec> table1(const Budget& budget) {
         TableSpec table = keepaway_table(
             "table1-slow", "Table 1, takers greedy_random, at most 0.66 m/s", budget);
         table.task.settings += " taker:taker.top_speed=0.66";
-        table.rows = {best_learned(budget), keepaway_baselines().front()};
+        table.rows = {best_learned(budget), algorithm2()};
         add(std::move(table), "greedy_random");
     }
     if (!budget.foreign_takers.empty()) {
         TableSpec table = keepaway_table("table1-foreign", "Table 1, takers a foreign program", budget);
         table.task.taker_command = budget.foreign_takers;
-        table.rows = {best_learned(budget), keepaway_baselines().front()};
+        table.rows = {best_learned(budget), algorithm2()};
         add(std::move(table), "greedy");
     }
     return tables;
@@ -110,7 +121,7 @@ std::vector<TableSpec> transfer(const Budget& budget) {
         table.task.keepers = keepers;
         table.task.takers = takers;
         table.task.settings += settings;
-        table.rows = {best_learned(budget), keepaway_baselines().front()};
+        table.rows = {best_learned(budget), algorithm2()};
         tables.push_back(std::move(table));
     };
     add("4v3", "4 keepers against 3 takers, champion of 3 against 2", 4, 3, "");
@@ -217,6 +228,18 @@ Budget load_budget(const std::string& file) {
         throw config::ConfigError(fmt::format("{}: {}", file, error.what()));
     }
     return budget;
+}
+
+std::vector<SearchRun> runs_in_order(const Budget& budget) {
+    std::vector<SearchRun> order;
+    int rounds = 0;
+    for (const auto& [name, search] : budget.searches) rounds = std::max(rounds, search.runs);
+    for (int run = 1; run <= rounds; ++run) {
+        for (const Search& search : searches()) {
+            if (run <= budget.searches.at(search.name).runs) order.push_back({&search, run});
+        }
+    }
+    return order;
 }
 
 std::vector<TableSpec> tables_of(const std::string& part, const Budget& budget) {

@@ -48,6 +48,7 @@ struct Budget {
     bool slow_takers = true;
     std::string foreign_takers;  ///< command of a foreign program; empty: no such table
     std::string champion;  ///< network file: plays too, and in transfer instead of what was found
+    std::string start;  ///< network file, not of the TOML: where the searches of table 1 start; plays too
     std::map<std::string, SearchBudget> searches;
 
     Budget();
@@ -56,6 +57,16 @@ struct Budget {
 
 /// Throws config::ConfigError naming file and line.
 Budget load_budget(const std::string& file);
+
+/// A search and the number of one of its runs.
+struct SearchRun {
+    const Search* search = nullptr;  ///< of searches()
+    int run = 1;
+};
+
+/// In rounds: the first run of every search before any second one, so that what is interrupted has
+/// something of everything.
+std::vector<SearchRun> runs_in_order(const Budget& budget);
 
 /// Who plays a row: an agent's setting, or what a search has found.
 struct RowSpec {

@@ -63,6 +63,31 @@ TEST(Reproduction, RowsFollowTheBudget) {
     EXPECT_EQ(tables[0].task.taker, "greedy");
 }
 
+TEST(Reproduction, EverySearchHasItsFirstRunBeforeAnyHasItsSecond) {
+    Budget budget;
+    for (auto& [name, search] : budget.searches) search.runs = 0;
+    budget.searches["keepaway_linear"].runs = 3;
+    budget.searches["keepaway_neat"].runs = 2;
+    std::vector<std::string> order;
+    for (const auto& [search, run] : runs_in_order(budget)) {
+        order.push_back(search->name + "-" + std::to_string(run));
+    }
+    EXPECT_THAT(order, testing::ElementsAre("keepaway_linear-1", "keepaway_neat-1", "keepaway_linear-2",
+                                            "keepaway_neat-2", "keepaway_linear-3"));
+}
+
+TEST(Reproduction, TheNetworkThatSearchesStartFromPlaysToo) {
+    Budget budget;
+    budget.start = "/some where/start.json";
+    for (const TableSpec& table : tables_of("table1", budget)) {
+        if (table.name == "table1-slow") continue;
+        const auto row = std::find_if(table.rows.begin(), table.rows.end(),
+                                      [](const RowSpec& r) { return r.key == "start"; });
+        ASSERT_NE(row, table.rows.end()) << table.name;
+        EXPECT_EQ(row->settings, "keeper.policy=\"/some where/start.json\"");
+    }
+}
+
 TEST(Reproduction, AChampionLearnedBeforePlaysToo) {
     Budget budget;
     budget.champion = "/some where/net.json";

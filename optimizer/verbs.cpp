@@ -133,9 +133,9 @@ int best(const std::string& folder) {
     const auto algorithm = algorithm_in(ledger, folder);
     const auto champion = algorithm ? algorithm->champion() : std::nullopt;
     if (!champion) throw std::runtime_error(folder + " has no champion yet");
-    const ledger::Facts facts = ledger.facts();
-    std::cout << report::champion_file(experiment_of(facts), *champion,
-                                       report::origin_of(*champion, facts));
+    const spec::Experiment experiment = experiment_of(ledger.facts());
+    std::cout << report::champion_file(experiment, *champion,
+                                       report::provenance_of(*champion, experiment, ledger));
     return 0;
 }
 

@@ -170,6 +170,16 @@ std::string origin_of(const algorithm::Champion& champion, const ledger::Facts& 
         champion.score.se, champion.score.n, champion.validated ? "validation" : "training");
 }
 
+std::string provenance_of(const algorithm::Champion& champion, const spec::Experiment& experiment,
+                          const ledger::Ledger& ledger) {
+    const ledger::Facts facts = ledger.facts();
+    const auto totals = ledger.totals();
+    return fmt::format(
+        "{}; found by '{}', seed {}, in {} generations, {} episodes, {:.1f} simulated hours",
+        origin_of(champion, facts), facts.at("command"), experiment.seed, ledger.log().size(),
+        totals.episodes, totals.simulated_s / 3600.0);
+}
+
 std::string report_html(const RunFacts& run) {
     const ledger::Facts facts = run.ledger.facts();
     const auto rows = run.ledger.rows();
@@ -208,7 +218,7 @@ std::string write_report(const RunFacts& run, const std::string& folder) {
         const bool network = run.experiment.start_network.has_value();
         write(folder + (network ? "/champion.json" : "/champion.toml"),
               champion_file(run.experiment, *run.champion,
-                            origin_of(*run.champion, run.ledger.facts())));
+                            provenance_of(*run.champion, run.experiment, run.ledger)));
     }
     return folder + "/report.html";
 }

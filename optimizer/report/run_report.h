@@ -30,8 +30,11 @@ std::string_view page_style();
 /// The page alone.
 std::string report_html(const RunFacts& run);
 
-/// What stands at a champion's head: who it is and where it comes from.
+/// Who a champion is and of which run.
 std::string origin_of(const algorithm::Champion& champion, const ledger::Facts& facts);
+/// What stands at a champion's head: its origin, the command that made it, and what that cost.
+std::string provenance_of(const algorithm::Champion& champion, const spec::Experiment& experiment,
+                          const ledger::Ledger& ledger);
 
 /// Names of the values of a candidate; empty if candidates are networks that differ in shape.
 std::vector<std::string> value_names(const spec::Experiment& experiment);

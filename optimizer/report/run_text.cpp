@@ -171,11 +171,12 @@ std::string course(const ledger::Ledger& ledger, const std::optional<std::string
 std::string champion_file(const spec::Experiment& experiment, const algorithm::Champion& champion,
                           const std::string& origin) {
     const auto* values = std::get_if<std::vector<double>>(&champion.payload);
-    if (values == nullptr) {
-        return network::to_json(std::get<network::Definition>(champion.payload)) + "\n";
-    }
-    if (experiment.start_network) {
-        return network::to_json(spec::with_weights(*experiment.start_network, *values)) + "\n";
+    if (values == nullptr || experiment.start_network) {
+        network::Definition learned = values == nullptr
+                                          ? std::get<network::Definition>(champion.payload)
+                                          : spec::with_weights(*experiment.start_network, *values);
+        learned.description = origin;  // what the start network says of itself holds no longer
+        return network::to_json(learned) + "\n";
     }
     std::map<std::string, std::string> sections;
     for (const auto& [path, value] : spec::settings_of(experiment, *values)) {

@@ -33,7 +33,7 @@ std::optional<double> half_width_95(const Statistics& s);
 std::string course(const ledger::Ledger& ledger, const std::optional<std::string>& ended);
 
 /// The champion as k3d-agent takes it: TOML for --config, or a network file. The comment of the
-/// TOML says where it comes from.
+/// TOML, or the network's description, says where it comes from.
 std::string champion_file(const spec::Experiment& experiment,
                           const algorithm::Champion& champion, const std::string& origin);
 

@@ -72,6 +72,25 @@ TEST(Champion, IsWrittenAsTheAgentReadsIt) {
               "# who\nrole_count = 3\n\n[keeper]\nhold = 0.1\n\n[motion.walk]\nstep = 0.02\n");
 }
 
+TEST(Champion, IsANetworkThatSaysWhereItComesFrom) {
+    spec::Experiment e;
+    e.start_network = network::parse(
+        R"({"format": "keepaway3d-network", "version": 1, "description": "by hand",
+            "inputs": [{"name": "a"}], "outputs": ["out"],
+            "nodes": [{"name": "out", "activation": "linear"}],
+            "links": [{"from": "a", "to": "out", "weight": 1}]})",
+        "start.json");
+    algorithm::Champion weights;
+    weights.payload = std::vector<double>{-2.5, 0.5};
+    algorithm::Champion grown;
+    grown.payload = *e.start_network;
+    for (const auto& champion : {weights, grown}) {
+        const auto written = network::parse(champion_file(e, champion, "who"), "champion.json");
+        EXPECT_EQ(written.description, "who");
+    }
+    EXPECT_THAT(champion_file(e, weights, "who"), HasSubstr("-2.5"));
+}
+
 TEST(Curves, OfTheRowsAlone) {
     const std::string folder = testing::TempDir() + "k3d_curves_" + std::to_string(::getpid());
     std::filesystem::remove_all(folder);

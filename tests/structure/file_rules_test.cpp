@@ -116,6 +116,22 @@ TEST(FileRules, NoPathOfOneMachine) {
     }
 }
 
+TEST(FileRules, FilesNamedInDockerAreThere) {
+    static const std::regex file(R"((optimizer|agent|server)/[A-Za-z0-9_./-]+\.(json|toml))");
+    int count = 0;
+    for (const SourceFile& source : source_tree()) {
+        if (!source.below("docker")) continue;
+        for (const std::string& line : source.lines) {
+            for (std::sregex_iterator it(line.begin(), line.end(), file), end; it != end; ++it) {
+                EXPECT_TRUE(std::filesystem::exists(K3D_SOURCE_DIR "/" + it->str()))
+                    << source.path << " names " << it->str();
+                ++count;
+            }
+        }
+    }
+    EXPECT_GE(count, 1) << "docker/play plays a learned network";
+}
+
 TEST(FileRules, TopLevelHoldsTheTreeAndNoMore) {
     const std::vector<std::string> allowed = {"CMakeLists.txt", "CMakePresets.json", "LICENSE",
                                               "README.md"};

@@ -172,6 +172,27 @@ TEST(Experiment, ThoseInTheTreeAreSound) {
     EXPECT_GE(count, 10);
 }
 
+TEST(Experiment, LearnedNetworksTakeWhatTheirSearchStartedFrom) {
+    const std::filesystem::path folder = K3D_SOURCE_DIR "/optimizer/experiments";
+    const auto names_of = [](const network::Definition& net) {
+        std::vector<std::string_view> names;
+        for (const network::Input& input : net.inputs) names.push_back(input.name);
+        return names;
+    };
+    const auto keepaway = network::load_file(folder / "networks/evaluation_linear.json");
+    const auto possession = network::load_file(folder / "networks/possession_linear.json");
+    int count = 0;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(folder / "results")) {
+        if (entry.path().extension() != ".json") continue;
+        const std::string file = entry.path().filename().string();
+        const network::Network learned(network::load_file(entry.path()), file);
+        const auto& start = file.starts_with("possession") ? possession : keepaway;
+        EXPECT_NO_THROW(network::require_shape(learned, names_of(start), start.outputs.size(), file));
+        ++count;
+    }
+    EXPECT_GE(count, 1);
+}
+
 RC_GTEST_PROP(Experiment, AnyDamageIsReadOrNamed, ()) {
     std::string toml = std::string(kHold) + "[task]\nkeepers = 3\n[algorithm]\nname = \"cmaes\"\n";
     const auto count = *rc::gen::inRange(1, 6);

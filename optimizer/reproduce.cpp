@@ -46,6 +46,8 @@ struct Work {
     spec::Budget budget;
     std::vector<std::string> parts;
     report::RunProgress& progress;
+    // One for all searches and rows: a wish to stop between two of them is not lost.
+    backend::Wakeups wakeups;
 
     bool wants(const std::string& part) const {
         return std::find(parts.begin(), parts.end(), part) != parts.end();
@@ -69,30 +71,35 @@ bool is_needed(const Work& work, const spec::Search& search) {
     return work.wants(search.part) || (search.part == "table1" && transfers);
 }
 
-Run open_run(const Work& work, const spec::Search& search, int number, const std::string& folder) {
-    if (fs::exists(ledger_file(folder))) return Run::resume(folder);
-    const std::string file = fmt::format("{}/{}.toml", work.flags.experiments, search.name);
+std::string file_of(const Work& work, const spec::Search& search) {
+    return fmt::format("{}/{}.toml", work.flags.experiments, search.name);
+}
+
+spec::Overrides overrides_of(const Work& work, const spec::Search& search, int number) {
     // The champion is tested in the tables, beside everything else, and not in its own run.
     spec::Overrides overrides{"test.episodes=0"};
     for (const std::string& word : spec::split_words(work.budget.searches.at(search.name).set)) {
         overrides.push_back(word);
     }
     overrides.push_back(fmt::format("seed={}", number));
-    return Run::begin(file, overrides, folder,
-                      fmt::format("k3d-optimizer reproduce {} --budget {}", work.flags.part,
-                                  work.flags.budget));
+    return overrides;
 }
 
 /// False if the user wants to stop.
 bool learn(Work& work, const spec::Search& search, int number) {
     const std::string folder = work.search_folder(search.name, number);
-    if (fs::exists(ledger_file(folder)) && found_in(folder).finished) return true;
-    Run run = open_run(work, search, number, folder);
+    const std::string file = file_of(work, search);
+    const spec::Overrides overrides = overrides_of(work, search, number);
+    const bool begun = fs::exists(ledger_file(folder));
+    if (begun) Run::require(folder, file, overrides);
+    if (begun && found_in(folder).finished) return true;
+    const std::string command = fmt::format("k3d-optimizer reproduce {} --budget {}",
+                                            work.flags.part, work.flags.budget);
+    Run run = begun ? Run::resume(folder) : Run::begin(file, overrides, folder, command);
     work.progress.say(fmt::format("{}, run {}: {}", search.label, number, folder));
-    backend::Wakeups wakeups;  // before any thread: all of them leave the signals to it
     backend::LocalBackend backend(work.flags.jobs, folder + "/logs");
     Watch watch(run, work.progress);
-    if (optimise(run, backend, wakeups, watch) == Ended::Stopped) return false;
+    if (optimise(run, backend, work.wakeups, watch) == Ended::Stopped) return false;
     if (!run.algorithm().champion()) {
         throw std::runtime_error(folder + ": the search has ended without a champion");
     }
@@ -126,6 +133,7 @@ RowPlayer player_of(const Work& work, const spec::RowSpec& row) {
         player.who = player.found->origin;
         return player;
     }
+    if (!row.network.empty()) return {std::nullopt, row.network};
     if (row.search.empty()) return {std::nullopt, row.settings.empty() ? "defaults" : row.settings};
     RowPlayer player{found_in(work.search_folder(row.search, row.run)), ""};
     player.who = player.found->origin;
@@ -133,10 +141,9 @@ RowPlayer player_of(const Work& work, const spec::RowSpec& row) {
 }
 
 bool play(Work& work, const spec::TableSpec& table) {
-    backend::Wakeups wakeups;
     for (const spec::RowSpec& row : table.rows) {
         if (!play_row(table, row, player_of(work, row), work.row_folder(table, row),
-                      work.flags.jobs, wakeups, work.progress)) {
+                      work.flags.jobs, work.wakeups, work.progress)) {
             return false;
         }
     }
@@ -198,29 +205,55 @@ bool do_parts(Work& work) {
     return true;
 }
 
-int reproduce(Flags flags) {
+/// Throws network::NetworkError if a network that is to play is missing, damaged or no evaluation
+/// function: before anything is learned.
+void check_networks(const spec::Budget& budget) {
+    const network::Definition start = network::load_file(budget.start);
+    std::vector<std::string_view> inputs;
+    for (const network::Input& input : start.inputs) inputs.push_back(input.name);
+    if (budget.champion.empty()) return;
+    const network::Network champion(network::load_file(budget.champion), budget.champion);
+    network::require_shape(champion, inputs, start.outputs.size(), budget.champion);
+}
+
+spec::Budget budget_of(const Flags& flags) {
     const bool is_file = flags.budget.ends_with(".toml");
-    const std::string file =
-        is_file ? flags.budget : fmt::format("{}/reproduce/{}.toml", flags.experiments, flags.budget);
+    spec::Budget budget = spec::load_budget(
+        is_file ? flags.budget
+                : fmt::format("{}/reproduce/{}.toml", flags.experiments, flags.budget));
+    if (!flags.champion.empty()) budget.champion = flags.champion;
+    if (!flags.foreign_takers.empty()) {
+        spec::check_command("--foreign-takers", flags.foreign_takers);
+        budget.foreign_takers = flags.foreign_takers;
+    }
+    budget.start = flags.experiments + "/networks/evaluation_linear.json";
+    check_networks(budget);
+    return budget;
+}
+
+/// Episodes of the tables that gave no valid result in any try.
+int count_failed(const report::Reproduction& reproduction) {
+    int failed = 0;
+    for (const report::Comparison& table : reproduction.tables) {
+        for (const auto& row : table.rows) failed += report::circumstances(row).failed;
+    }
+    return failed;
+}
+
+int reproduce(Flags flags) {
     if (flags.out.empty()) {
         flags.out = "runs/reproduce-" + fs::path(flags.budget).stem().string();
     }
     report::RunProgress progress(std::cout, ::isatty(STDOUT_FILENO) == 1);
-    Work work{flags, spec::load_budget(file), parts_for(flags.part), progress};
-    if (!flags.champion.empty()) {
-        network::load_file(flags.champion);  // to learn of its faults before anything is played
-        work.budget.champion = fs::absolute(flags.champion).lexically_normal().string();
-    }
-    if (!flags.foreign_takers.empty()) {
-        spec::check_command("--foreign-takers", flags.foreign_takers);
-        work.budget.foreign_takers = flags.foreign_takers;
-    }
-    // Agents start in other folders.
-    work.budget.start = fs::absolute(flags.experiments + "/networks/evaluation_linear.json")
-                            .lexically_normal()
-                            .string();
+    Work work{flags, budget_of(flags), parts_for(flags.part), progress, {}};
     fs::create_directories(flags.out);
-    const bool done = do_parts(work);
+    bool done = false;
+    try {
+        done = do_parts(work);
+    } catch (const std::exception&) {
+        progress.say("what there is: " + report::write_reproduction(gather(work), flags.out));
+        throw;
+    }
     progress.say(progress.summary());
     const report::Reproduction reproduction = gather(work);
     const std::string page = report::write_reproduction(reproduction, flags.out);
@@ -230,7 +263,9 @@ int reproduce(Flags flags) {
     }
     std::cout << report::reproduction_text(reproduction);
     progress.say("report: " + page);
-    return 0;
+    const int failed = count_failed(reproduction);
+    if (failed > 0) progress.say(fmt::format("{} test episodes have no valid result", failed));
+    return failed > 0 ? 1 : 0;
 }
 
 }  // namespace

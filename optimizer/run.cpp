@@ -59,6 +59,29 @@ algorithm::Algorithm new_algorithm(const spec::Experiment& e, const std::string&
     }
 }
 
+std::string experiment_text(const std::string& file) {
+    try {
+        return content(file);
+    } catch (const std::runtime_error& error) {
+        throw config::ConfigError(error.what());
+    }
+}
+
+/// What the ledger of a run says of its experiment. Throws what parse_experiment() throws, and
+/// ConfigError naming a file that cannot be read.
+ledger::Facts facts_of(const std::string& file, const spec::Overrides& overrides) {
+    const std::string text = experiment_text(file);
+    std::string network;
+    const auto read = [&](const std::string& name) {
+        return network = content((fs::path(file).parent_path() / name).string());
+    };
+    spec::parse_experiment(text, file, fields_for(text), read, overrides);
+    return {{"experiment", text},
+            {"file", file},
+            {"overrides", nlohmann::json(overrides).dump()},
+            {"network", network}};
+}
+
 const std::string& fact(const ledger::Facts& facts, const std::string& name) {
     const auto found = facts.find(name);
     if (found == facts.end()) {
@@ -106,17 +129,8 @@ Run::Run(std::string folder, std::unique_ptr<ledger::Lock> lock, ledger::Ledger 
 
 Run Run::begin(const std::string& file, const spec::Overrides& overrides,
                const std::string& wanted_folder, const std::string& command) {
-    std::string text;
-    try {
-        text = content(file);
-    } catch (const std::runtime_error& error) {
-        throw config::ConfigError(error.what());
-    }
-    std::string network;
-    const auto read = [&](const std::string& name) {
-        return network = content((fs::path(file).parent_path() / name).string());
-    };
-    const spec::Experiment e = spec::parse_experiment(text, file, fields_for(text), read, overrides);
+    ledger::Facts facts = facts_of(file, overrides);
+    const spec::Experiment e = experiment_of(facts);
     new_algorithm(e, file);  // to learn of its faults before there is a folder
     const std::string folder = wanted_folder.empty() ? "runs/" + e.name : wanted_folder;
     if (fs::exists(ledger_file(folder))) {
@@ -128,17 +142,25 @@ Run Run::begin(const std::string& file, const spec::Overrides& overrides,
     fs::create_directories(folder, fault);
     if (fault) throw ledger::LedgerError(fmt::format("{}: {}", folder, fault.message()));
     auto lock = std::make_unique<ledger::Lock>(folder);
-    auto ledger = ledger::Ledger::create(ledger_file(folder),
-                                         {{"id", fresh_id(e.name)},
-                                          {"name", e.name},
-                                          {"experiment", text},
-                                          {"file", file},
-                                          {"overrides", nlohmann::json(overrides).dump()},
-                                          {"network", network},
-                                          {"code_version", std::string(code_version())},
-                                          {"command", command},
-                                          {"begun", now_text()}});
-    return Run(folder, std::move(lock), std::move(ledger));
+    facts.merge(ledger::Facts{{"id", fresh_id(e.name)},
+                              {"name", e.name},
+                              {"code_version", std::string(code_version())},
+                              {"command", command},
+                              {"begun", now_text()}});
+    return Run(folder, std::move(lock), ledger::Ledger::create(ledger_file(folder), facts));
+}
+
+void Run::require(const std::string& folder, const std::string& file,
+                  const spec::Overrides& overrides) {
+    const auto ledger = ledger::Ledger::open(ledger_file(folder), ledger::Ledger::Access::Read);
+    const ledger::Facts begun = ledger.facts();
+    const ledger::Facts wanted = facts_of(file, overrides);
+    for (const char* name : {"experiment", "network", "overrides"}) {
+        if (fact(begun, name) == fact(wanted, name)) continue;
+        throw ledger::LedgerError(fmt::format(
+            "{}: begun with another {} than {} has now with overrides {}. Delete the folder to search "
+            "anew, or name another --out", folder, name, file, fact(wanted, "overrides")));
+    }
 }
 
 Run Run::resume(const std::string& folder) {

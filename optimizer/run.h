@@ -24,6 +24,10 @@ class Run {
     /// the experiment, LedgerError if the folder has a run.
     static Run begin(const std::string& file, const spec::Overrides& overrides,
                      const std::string& folder, const std::string& command);
+    /// Throws LedgerError if the run in `folder` is of another experiment than begin() would make of
+    /// these: other text, network or overrides.
+    static void require(const std::string& folder, const std::string& file,
+                        const spec::Overrides& overrides);
     /// Goes on where the run in `folder` was left. Throws LedgerError, AlgorithmError; also if this
     /// is another code version, whose results would not be those that the run began with.
     static Run resume(const std::string& folder);

@@ -6,11 +6,13 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "common/network/network.h"
 #include "common/version/version.h"
 #include "optimizer/backend/local_backend.h"
 #include "optimizer/ledger/lock.h"
 #include "optimizer/round.h"
 #include "optimizer/run.h"
+#include "optimizer/spec/settings.h"
 #include "optimizer/spec/words.h"
 
 namespace k3d::optimizer {
@@ -26,29 +28,11 @@ constexpr std::uint64_t kTestSeed = 1;
 ledger::Ledger open_row(const spec::TableSpec& table, const spec::RowSpec& row,
                         const RowPlayer& player, const std::string& folder) {
     const std::string file = ledger_file(folder);
-    if (!fs::exists(file)) {
-        return ledger::Ledger::create(file, {{"id", fmt::format("test-{}-{}", table.name, row.key)},
-                                             {"name", table.name + " " + row.key},
-                                             {"who", player.who},
-                                             {"code_version", std::string(code_version())}});
-    }
-    auto ledger = ledger::Ledger::open(file, ledger::Ledger::Access::Write);
-    const ledger::Facts facts = ledger.facts();
-    for (const auto& [fact, now] :
-         {std::pair{"who", player.who}, std::pair{"code_version", std::string(code_version())}}) {
-        if (facts.at(fact) == now) continue;
-        throw ledger::LedgerError(
-            fmt::format("{}: begun with {} '{}', this is '{}': the row would be of two. Delete the "
-                        "folder to play it anew", folder, fact, facts.at(fact), now));
-    }
-    return ledger;
-}
-
-bool is_finished(const std::string& folder, const std::string& who, int episodes) {
-    if (!fs::exists(ledger_file(folder))) return false;
-    const auto ledger = ledger::Ledger::open(ledger_file(folder), ledger::Ledger::Access::Read);
-    return ledger.facts().at("who") == who &&
-           ledger.rows().size() >= static_cast<std::size_t>(episodes);
+    if (fs::exists(file)) return ledger::Ledger::open(file, ledger::Ledger::Access::Write);
+    return ledger::Ledger::create(file, {{"id", fmt::format("test-{}-{}", table.name, row.key)},
+                                         {"name", table.name + " " + row.key},
+                                         {"who", player.who},
+                                         {"code_version", std::string(code_version())}});
 }
 
 /// The experiment whose candidate the player is, on the table's task.
@@ -61,46 +45,86 @@ spec::Experiment experiment_for(const spec::TableSpec& table, const RowPlayer& p
     return experiment;
 }
 
+/// What an experiment fixed for the agents while it searched belongs to what it found.
+std::vector<std::string> fixed_settings(const RowPlayer& player) {
+    if (!player.found) return {};
+    return spec::parse_settings(player.found->experiment.task.settings).keeper;
+}
+
+/// All episodes of the row, as the code version played them that began it. Throws LedgerError if the
+/// ledger has one of another candidate or task.
+Round round_of(const spec::TableSpec& table, const spec::RowSpec& row, const RowPlayer& player,
+               const spec::Experiment& experiment, const ledger::Ledger& ledger) {
+    const ledger::Facts facts = ledger.facts();
+    if (facts.at("who") != player.who) {
+        throw ledger::LedgerError(
+            fmt::format("played by '{}', this is '{}'", facts.at("who"), player.who));
+    }
+    const JobMaker maker{experiment, facts.at("id")};
+    std::optional<algorithm::Payload> payload;
+    if (player.found) payload = player.found->champion->payload;
+    const algorithm::Request request{0, 0, algorithm::Pool::Test, table.episodes, {}};
+    const std::vector<std::string> fixed = fixed_settings(player);
+    const std::vector<std::string> own = spec::split_words(row.settings);
+    const std::string network =
+        row.network.empty() ? "" : network::to_json(network::load_file(row.network));
+    Round round(experiment);
+    for (int i = 0; i < table.episodes; ++i) {
+        episode::Job job = maker.job(payload, episode::Phase::Test, request, i);
+        job.settings.insert(job.settings.begin(), fixed.begin(), fixed.end());  // what was tuned wins
+        job.settings.insert(job.settings.end(), own.begin(), own.end());
+        if (!network.empty()) {
+            job.network_path = "keeper.policy";
+            job.network = network;
+        }
+        job.code_version = facts.at("code_version");
+        round.add(job, ledger);
+    }
+    if (!round.complete() && facts.at("code_version") != code_version()) {
+        throw ledger::LedgerError(fmt::format("begun by version {}, this is {}",
+                                              facts.at("code_version"), code_version()));
+    }
+    return round;
+}
+
 }  // namespace
 
 bool play_row(const spec::TableSpec& table, const spec::RowSpec& row, const RowPlayer& player,
               const std::string& folder, int jobs, backend::Wakeups& wakeups,
               report::RunProgress& progress) {
-    if (is_finished(folder, player.who, table.episodes)) return true;
     fs::create_directories(folder);
     const ledger::Lock lock(folder);
     ledger::Ledger ledger = open_row(table, row, player, folder);
     const spec::Experiment experiment = experiment_for(table, player);
-    const JobMaker maker{experiment, ledger.facts().at("id")};
-    std::optional<algorithm::Payload> payload;
-    if (player.found) payload = player.found->champion->payload;
-    Round round(experiment);
-    const algorithm::Request request{0, 0, algorithm::Pool::Test, table.episodes, {}};
-    for (int i = 0; i < table.episodes; ++i) {
-        episode::Job job = maker.job(payload, episode::Phase::Test, request, i);
-        for (const std::string& word : spec::split_words(row.settings)) job.settings.push_back(word);
-        round.add(job, ledger);
+    std::optional<Round> round;
+    try {
+        round.emplace(round_of(table, row, player, experiment, ledger));
+    } catch (const ledger::LedgerError& error) {
+        throw ledger::LedgerError(fmt::format(
+            "{}: {}: the row would be of two. Delete the folder to play it anew", folder, error.what()));
     }
+    if (round->complete()) return true;
     progress.say(fmt::format("{}: {}", table.title, row.label));
     backend::LocalBackend backend(jobs, folder + "/logs");
-    for (const episode::Job& job : round.missing()) backend.submit(job);
-    while (!round.complete()) {
+    for (const episode::Job& job : round->missing()) backend.submit(job);
+    while (!round->complete()) {
         wakeups.wait(backend.next_look());
         if (wakeups.stop_wanted()) return false;
-        for (const episode::Job& again : round.take(backend.poll(), ledger)) backend.submit(again);
+        for (const episode::Job& again : round->take(backend.poll(), ledger)) backend.submit(again);
         backend.confirm();
-        progress.show({true, 0, 0, round.known(), round.episodes()}, round.take_news(),
+        progress.show({true, 0, 0, round->known(), round->episodes()}, round->take_news(),
                       backend.state());
     }
     return true;
 }
 
 report::ComparedRow read_row(const spec::RowSpec& row, const std::string& folder) {
-    report::ComparedRow out{row, "", {}};
+    report::ComparedRow out{row, "", {}, ""};
     if (!fs::exists(ledger_file(folder))) return out;
     const auto ledger = ledger::Ledger::open(ledger_file(folder), ledger::Ledger::Access::Read);
     const ledger::Facts facts = ledger.facts();
-    out.origin = fmt::format("{}; tested by version {}", facts.at("who"), facts.at("code_version"));
+    out.version = facts.at("code_version");
+    out.origin = fmt::format("{}; tested by version {}", facts.at("who"), out.version);
     out.rows = ledger.rows();
     return out;
 }

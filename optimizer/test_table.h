@@ -21,7 +21,8 @@ struct RowPlayer {
 };
 
 /// Plays what is missing of a row in `folder`, `jobs` episodes at a time. False if the user wants to
-/// stop. Throws LedgerError if the row was begun by another player or code version.
+/// stop. Throws LedgerError if the row was begun by another player or on another task, or has
+/// episodes missing and was begun by another code version.
 bool play_row(const spec::TableSpec& table, const spec::RowSpec& row, const RowPlayer& player,
               const std::string& folder, int jobs, backend::Wakeups& wakeups,
               report::RunProgress& progress);

@@ -14,7 +14,8 @@ Player::Player(const PlayerSettings& s, const skills::KickGeometry& kick)
       taker_(s.taker, s.keeper.skills, RandomStream(s.seed, s.entity, "follow")),
       drill_(s.drill, s.keeper.possession, s.keeper.skills, kick,
              RandomStream(s.seed, s.entity, "drill")),
-      soccer_(s.keeper.possession, s.keeper.skills, kick) {}
+      soccer_(s.keeper.possession, s.keeper.skills, kick,
+              RandomStream(s.seed, s.entity, "possession")) {}
 
 Decision Player::decide(const world::Beliefs& b, const motion::State& body,
                         std::span<const talk::Report> reports) {

@@ -7,7 +7,6 @@
 
 #include "agent/skills/intercept.h"
 #include "agent/skills/kick_meeting.h"
-#include "common/random/stream.h"
 
 namespace k3d::agent::decision {
 namespace {
@@ -27,9 +26,9 @@ BodyRequest meet(const PossessionInput& in, const Vec2& point, skills::GoTo& go_
 }
 
 /// Keeps to a state for a while, so that it gets somewhere.
-Chooser<PossessionInput> choose_by_chance() {
+Chooser<PossessionInput> choose_by_chance(const RandomStream& chances) {
     constexpr double kWhile = 1.0;  // s
-    auto stream = std::make_shared<RandomStream>(1, "possession", "chance");
+    auto stream = std::make_shared<RandomStream>(chances);
     auto until = std::make_shared<double>(-1.0);
     return [=](const PossessionInput& in, int state) {
         if (in.beliefs.now < *until) return state;
@@ -96,7 +95,7 @@ int choose_by_rules(const PossessionVariables& v, int state, const PossessionCon
 }
 
 PossessionBehaviour make_possession(const PossessionConfig& config, const skills::SkillConfig& skill,
-                                    const skills::KickGeometry& kick) {
+                                    const skills::KickGeometry& kick, RandomStream chances) {
     auto to_path = std::make_shared<skills::GoTo>();
     auto to_finish = std::make_shared<skills::GoTo>();
     auto meeting = std::make_shared<skills::KickMeeting>();
@@ -134,7 +133,7 @@ PossessionBehaviour make_possession(const PossessionConfig& config, const skills
             return without_foresight(in, act);
         };
     }
-    if (config.chooser == "random") chooser = choose_by_chance();
+    if (config.chooser == "random") chooser = choose_by_chance(chances);
     if (!config.network.empty()) {
         network::Network net(network::load_file(config.network), config.network);
         network::require_shape(net, kPossessionInputs, kPossessionStates, config.network);

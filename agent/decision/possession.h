@@ -14,6 +14,7 @@
 #include "agent/skills/go_to.h"
 #include "agent/skills/kick_position.h"
 #include "agent/world/beliefs.h"
+#include "common/random/stream.h"
 
 namespace k3d::agent::decision {
 
@@ -47,8 +48,9 @@ int choose_by_rules(const PossessionVariables& variables, int state,
 
 using PossessionBehaviour = ComplexBehaviour<PossessionInput, motion::BodyRequest>;
 
-/// Throws network::NetworkError if the configured network is missing, damaged or of another shape.
+/// `chances` decide for the chooser "random". Throws network::NetworkError if the configured network
+/// is missing, damaged or of another shape.
 PossessionBehaviour make_possession(const PossessionConfig& config, const skills::SkillConfig& skill,
-                                    const skills::KickGeometry& kick);
+                                    const skills::KickGeometry& kick, RandomStream chances);
 
 }  // namespace k3d::agent::decision

@@ -24,9 +24,14 @@ spec::AlgorithmSpec checked(spec::AlgorithmSpec spec) {
     return spec;
 }
 
-std::vector<std::size_t> best(const std::vector<Entry>& entries, Pool pool, int count) {
-    const std::vector<Outcome> all = outcomes(entries, pool);
+/// Whom halving sent home ranks behind everybody who played on: of many with few episodes each the
+/// best means are the luckiest.
+std::vector<std::size_t> best_trained(const std::vector<Entry>& entries, int count) {
+    const std::vector<Outcome> all = outcomes(entries, Pool::Train);
     std::vector<std::size_t> order = ranking(all);
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+        return entries[a].train.wanted > entries[b].train.wanted;
+    });
     order.resize(std::min(order.size(), static_cast<std::size_t>(count)));
     std::erase_if(order, [&all](std::size_t index) { return all[index].failed; });
     return order;
@@ -95,7 +100,7 @@ bool Algorithm::Impl::another_training_round() {
     while (round < static_cast<int>(rounds.size())) {
         const HalvingRound next = rounds[static_cast<std::size_t>(round++)];
         bool more = false;
-        for (const std::size_t index : best(entries, Pool::Train, next.survivors)) {
+        for (const std::size_t index : best_trained(entries, next.survivors)) {
             const int played = entries[index].train.score->n;
             more = want(entries, {index}, Pool::Train, played + next.episodes) || more;
         }
@@ -109,7 +114,7 @@ void Algorithm::Impl::learn() {
     const std::vector<Outcome> all = outcomes(entries, Pool::Train);
     line = line_of(generation, all);
     std::vector<Entry> finalists;
-    for (const std::size_t index : best(entries, Pool::Train, spec.sampling.finalists)) {
+    for (const std::size_t index : best_trained(entries, spec.sampling.finalists)) {
         finalists.push_back(entries[index]);
     }
     std::visit([&all](auto& s) { s.update(all); }, search);

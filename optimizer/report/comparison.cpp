@@ -3,10 +3,12 @@
 #include "optimizer/report/comparison.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <functional>
 #include <map>
+#include <set>
 
 #include "optimizer/fitness/fitness.h"
 
@@ -109,6 +111,14 @@ void mark_medians(const Comparison& comparison, ComparedFigure& figure) {
 }
 
 }  // namespace
+
+std::string warning(const Comparison& comparison) {
+    std::set<std::string> versions;
+    for (const ComparedRow& row : comparison.rows) versions.insert(row.version);
+    if (versions.size() < 2) return "";
+    return fmt::format("Rows were played by different versions of the code: {}. Their episodes can be "
+                       "compared only where the versions play alike.", fmt::join(versions, ", "));
+}
 
 std::vector<ComparedFigure> compare(const Comparison& comparison) {
     const auto reference = std::find_if(

@@ -18,6 +18,7 @@ struct ComparedRow {
     spec::RowSpec spec;
     std::string origin;              ///< who plays, e.g. which candidate of which run
     std::vector<ledger::Row> rows;   ///< in the order of episodes; fewer if the table is unfinished
+    std::string version;             ///< of the code that played them
 };
 
 struct Comparison {
@@ -52,6 +53,8 @@ struct Circumstances {
     std::string endings;
 };
 
+/// Empty, or that rows of this table were played by different versions of the code, and which.
+std::string warning(const Comparison& comparison);
 std::vector<ComparedFigure> compare(const Comparison& comparison);
 Circumstances circumstances(const ComparedRow& row);
 

@@ -28,10 +28,11 @@ std::vector<std::string> cells(const ComparedLine& line) {
     std::vector<std::string> out{std::to_string(line.s.n), number(line.s.mean), number(line.s.sd),
                                  number(line.s.se), interval(line.s)};
     if (!line.against) {
-        out.insert(out.end(), 5, "");
+        out.insert(out.end(), 6, "");
         return out;
     }
     const Paired& p = *line.against;
+    out.push_back(std::to_string(p.n));
     out.push_back(fmt::format("{:+.2f} ({:+.2f}..{:+.2f})", p.difference, p.low, p.high));
     out.push_back(p.ratio ? fmt::format("{:.2f} ({:.2f}..{:.2f})", *p.ratio, p.ratio_low, p.ratio_high)
                           : "-");
@@ -43,7 +44,7 @@ std::vector<std::string> cells(const ComparedLine& line) {
 
 const std::vector<std::pair<std::string, std::size_t>> kHeads{
     {"n", 5},          {"mean", 7},       {"sd", 7},       {"se", 6},          {"95 %", 14},
-    {"difference", 24}, {"ratio", 18}, {"p", 8}, {"p Holm", 8}, {"p Wilcoxon", 10}};
+    {"pairs", 5}, {"difference", 24}, {"ratio", 18}, {"p", 8}, {"p Holm", 8}, {"p Wilcoxon", 10}};
 
 /// The paper's figures under one of ours; empty for one that it does not have.
 std::vector<std::pair<std::string, std::string>> paper_lines(const Comparison& c,
@@ -96,7 +97,7 @@ std::string figure_html(const Comparison& c, const ComparedFigure& figure) {
         out += "</tr>\n";
     }
     for (const auto& [label, said] : paper_lines(c, figure.name)) {
-        out += fmt::format("<tr class=\"dim\"><td>{}</td><td colspan=\"10\">{}</td></tr>\n",
+        out += fmt::format("<tr class=\"dim\"><td>{}</td><td colspan=\"11\">{}</td></tr>\n",
                            escape(label), escape(said));
     }
     return out + "</table></div>\n";
@@ -119,6 +120,7 @@ std::vector<std::pair<std::string, std::string>> said_of(const ComparedRow& row)
 std::string comparison_text(const Comparison& c) {
     std::string text = fmt::format("{}\n{}\n", c.table.title, std::string(c.table.title.size(), '='));
     text += fmt::format("differences, ratios and p against: {}, by seed\n", reference_label(c));
+    if (const std::string said = warning(c); !said.empty()) text += said + "\n";
     for (const ComparedFigure& figure : compare(c)) text += figure_text(c, figure);
     text += '\n';
     for (const ComparedRow& row : c.rows) {
@@ -136,6 +138,7 @@ std::string comparison_html(const Comparison& c) {
         "<h2>{}</h2>\n<p class=\"dim\">Differences, ratios and p against: {}, by seed. p: signs of the "
         "differences flipped at random, two-sided; Holm: over the rows of the figure.</p>\n",
         escape(c.table.title), escape(reference_label(c)));
+    if (const std::string said = warning(c); !said.empty()) out += "<p>" + escape(said) + "</p>\n";
     for (const ComparedFigure& figure : compare(c)) out += figure_html(c, figure);
     out += "<div class=\"wide\"><table><tr><th></th>";
     for (const ComparedRow& row : c.rows) {
@@ -151,7 +154,7 @@ std::string comparison_html(const Comparison& c) {
 }
 
 std::string comparison_csv_head() {
-    return "table,row,label,figure,n,mean,sd,se,low_95,high_95,reference,difference,difference_low_95,"
+    return "table,row,label,figure,n,mean,sd,se,low_95,high_95,reference,pairs,difference,difference_low_95,"
            "difference_high_95,ratio,ratio_low_95,ratio_high_95,p_permutation,p_holm,p_wilcoxon,"
            "correlation,taker_speed_mps,failed,truncated\n";
 }
@@ -173,12 +176,12 @@ std::string comparison_csv(const Comparison& c) {
                                 half ? cell(*line.s.mean + *half) : "", c.table.reference);
             if (const auto& p = line.against) {
                 const bool ratio = p->ratio.has_value();
-                text += fmt::format(",{},{},{},{},{},{},{},{},{},{}", p->difference, p->low, p->high,
+                text += fmt::format(",{},{},{},{},{},{},{},{},{},{},{}", p->n, p->difference, p->low, p->high,
                                     cell(p->ratio), ratio ? cell(p->ratio_low) : "",
                                     ratio ? cell(p->ratio_high) : "", p->p_permutation,
                                     line.p_holm, p->p_wilcoxon, p->correlation);
             } else {
-                text += std::string(10, ',');
+                text += std::string(11, ',');
             }
             text += fmt::format(",{},{},{}\n", cell(s.taker_speed), s.failed, s.truncated);
         }

@@ -63,6 +63,9 @@ double wilcoxon(std::vector<double> d) {
 }
 
 void add_ratio(const std::vector<double>& a, const std::vector<double>& b, Paired& out) {
+    // A ratio says something of amounts alone.
+    const auto negative = [](double value) { return value < 0.0; };
+    if (std::any_of(a.begin(), a.end(), negative) || std::any_of(b.begin(), b.end(), negative)) return;
     if (!(sum(b) > 0.0)) return;
     out.ratio = sum(a) / sum(b);
     RandomStream stream(1, "paired", "bootstrap");

@@ -7,6 +7,8 @@
 #include <array>
 #include <map>
 
+#include "optimizer/spec/settings.h"
+
 namespace k3d::optimizer::report {
 
 namespace {
@@ -178,8 +180,15 @@ std::string champion_file(const spec::Experiment& experiment, const algorithm::C
         learned.description = origin;  // what the start network says of itself holds no longer
         return network::to_json(learned) + "\n";
     }
+    // What was tuned, and what the search fixed for the agents.
+    std::map<std::string, std::string> settings;
+    for (const std::string& word : spec::parse_settings(experiment.task.settings).keeper) {
+        const auto sign = word.find('=');
+        settings[word.substr(0, sign)] = word.substr(sign + 1);
+    }
+    for (const auto& [path, value] : spec::settings_of(experiment, *values)) settings[path] = value;
     std::map<std::string, std::string> sections;
-    for (const auto& [path, value] : spec::settings_of(experiment, *values)) {
+    for (const auto& [path, value] : settings) {
         const auto dot = path.rfind('.');
         std::string& section = sections[dot == std::string::npos ? "" : path.substr(0, dot)];
         section += fmt::format("{} = {}\n",

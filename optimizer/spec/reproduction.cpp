@@ -39,9 +39,14 @@ RowSpec plain(std::string key, std::string label, std::string settings) {
             .search = {}};
 }
 
+RowSpec network_file(std::string key, std::string label, const std::string& file) {
+    RowSpec row = plain(std::move(key), std::move(label), "");
+    row.network = file;
+    return row;
+}
+
 RowSpec champion_file(const Budget& budget) {
-    return plain("champion-file", "Learned before: " + budget.champion,
-                 "keeper.policy=" + quote_word(budget.champion));
+    return network_file("champion-file", "Learned before: " + budget.champion, budget.champion);
 }
 
 RowSpec best_learned(const Budget& budget) {
@@ -62,17 +67,17 @@ TableSpec keepaway_table(std::string name, std::string title, const Budget& budg
 }
 
 RowSpec algorithm2() {
-    return plain("algorithm2", "Algorithm 2 as printed", "keeper.policy=handcoded");
+    return plain("algorithm2", "Algorithm 2, constants as printed", "keeper.policy=handcoded");
 }
 
 /// What learning has to beat; how much of a gain is the start network's own shows its row.
 std::vector<RowSpec> keepaway_baselines(const Budget& budget) {
     std::vector<RowSpec> rows{algorithm2()};
     if (!budget.start.empty()) {
-        rows.push_back(plain("start", "Not learned: the network that searches start from",
-                             "keeper.policy=" + quote_word(budget.start)));
+        rows.push_back(
+            network_file("start", "Linear by hand: where the linear searches start", budget.start));
     }
-    rows.push_back(plain("random", "Random target", "keeper.policy=random"));
+    rows.push_back(plain("random", "Random one of the possible targets", "keeper.policy=random"));
     rows.push_back(plain("hold", "Always hold", "keeper.policy=hold"));
     rows.push_back(plain("still", "Stand still", "keeper.policy=still"));
     return rows;

@@ -73,6 +73,7 @@ struct RowSpec {
     std::string key;       ///< of its folder
     std::string label;
     std::string settings;  ///< words path=value for the tuned side
+    std::string network = {};  ///< file: the keepers' evaluation function; empty: of the settings
     std::string search;    ///< name of the search whose champion plays; empty: `settings` alone
     int run = 1;
     bool takes_best = false;  ///< the best of the searches' champions instead, by validation

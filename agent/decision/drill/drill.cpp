@@ -24,7 +24,7 @@ Drill::Drill(const DrillConfig& config, const PossessionConfig& possession,
              RandomStream places)
     : config_(config),
       skills_(skills),
-      possession_(make_possession(possession, skills, kick)),
+      possession_(make_possession(possession, skills, kick, places)),
       places_(places) {}
 
 Decision Drill::decide(const world::Beliefs& b, const motion::State& body) {

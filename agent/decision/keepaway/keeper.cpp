@@ -76,7 +76,7 @@ Keeper::Keeper(const KeeperSettings& settings, Policy policy, const skills::Kick
       kick_(skills::no_farther(kick, settings.keeper.longest_kick)),
       choices_(choices),
       grid_(target_grid(settings.keepaway.side, settings.evaluation)),
-      possession_(make_possession(settings.possession, settings.skills, kick_)) {
+      possession_(make_possession(settings.possession, settings.skills, kick_, choices)) {
     situation_.takers.reserve(kMostRobots);
     situation_.receivers.reserve(kMostRobots);
     obstacles_.reserve(kMostRobots + 1);
@@ -212,19 +212,19 @@ void Keeper::choose_target(const world::Beliefs& b, Account& account) {
     for (const auto& taker : b.opponents) situation.takers.push_back({taker.position, taker.lagged});
     for (const auto& mate : b.mates) situation.receivers.push_back(mate.position);
 
+    const KeeperConfig& c = settings_.keeper;
+    const auto room = [&](const Vec2& p) { return room_for(p, situation.ball); };
+    const auto ready = [&](const Vec2& p) { return time_to_kick(p, b.self.pose, situation.ball); };
+    const Haste haste{time_until_taker(situation), c.patience_s, std::ref(ready)};
+    targets_in_time(grid_, std::ref(room), haste, in_time_);
+    const auto& targets = in_time_.empty() ? grid_ : in_time_;
     if (policy_.kind == Policy::Kind::Random) {
-        if (!target_) target_ = grid_[static_cast<std::size_t>(choices_.below(static_cast<int>(grid_.size())))];
+        // Among the same targets as any other policy: it differs by the choice alone.
+        const bool stands = target_ && std::find(targets.begin(), targets.end(), *target_) != targets.end();
+        if (!stands) target_ = targets[static_cast<std::size_t>(choices_.below(static_cast<int>(targets.size())))];
     } else {
-        const KeeperConfig& c = settings_.keeper;
         const double near = nearest_taker(b, b.ball.position);
         const double keep = near <= c.hold_threshold ? c.commit_margin : c.target_margin;
-        const auto room = [&](const Vec2& p) { return room_for(p, situation.ball); };
-        const auto ready = [&](const Vec2& p) {
-            return time_to_kick(p, b.self.pose, situation.ball);
-        };
-        const Haste haste{time_until_taker(situation), c.patience_s, std::ref(ready)};
-        targets_in_time(grid_, std::ref(room), haste, in_time_);
-        const auto& targets = in_time_.empty() ? grid_ : in_time_;
         const Target best = best_target(targets, situation, policy_, settings_.evaluation,
                                         std::ref(room), target_, keep, &scored_);
         account.scored = scored_;

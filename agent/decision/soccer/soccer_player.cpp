@@ -23,8 +23,8 @@ bool is_theirs(const std::string& play_mode, wire::Side own) {
 }
 
 SoccerPlayer::SoccerPlayer(const PossessionConfig& possession, const skills::SkillConfig& skills,
-                           const skills::KickGeometry& kick)
-    : skills_(skills), possession_(make_possession(possession, skills, kick)) {}
+                           const skills::KickGeometry& kick, RandomStream chances)
+    : skills_(skills), possession_(make_possession(possession, skills, kick, chances)) {}
 
 Decision SoccerPlayer::decide(const world::Beliefs& b, const motion::State& body) {
     Decision d;

@@ -19,9 +19,9 @@ bool is_theirs(const std::string& play_mode, wire::Side own);
 
 class SoccerPlayer {
   public:
-    /// Throws network::NetworkError.
+    /// Throws network::NetworkError. `chances`: see make_possession().
     SoccerPlayer(const PossessionConfig& possession, const skills::SkillConfig& skills,
-                 const skills::KickGeometry& kick);
+                 const skills::KickGeometry& kick, RandomStream chances);
 
     Decision decide(const world::Beliefs& beliefs, const motion::State& body);
 

@@ -5,9 +5,10 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-#include <array>
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <vector>
 
 #include "agent/decision/keepaway/scene.h"
 
@@ -15,6 +16,10 @@ namespace k3d::agent::decision {
 namespace {
 
 using test::scene;
+
+RandomStream chances(std::uint64_t seed) {
+    return {seed, "test", "possession"};
+}
 
 TEST(Possession, VariablesByHand) {
     world::Beliefs b = scene(1, {{0.0, 0.0}, kPi / 2.0}, {3.0, 0.0});
@@ -49,7 +54,7 @@ TEST(Possession, Rules) {
 
 TEST(Possession, GoesFromFinishToPosition) {
     PossessionBehaviour b =
-        make_possession({}, skills::SkillConfig{}, test::simple_kick());
+        make_possession({}, skills::SkillConfig{}, test::simple_kick(), chances(1));
     const motion::State body;
     const world::Beliefs far = scene(1, {{-3.0, 0.0}, 0.0}, {0.0, 0.0});
     const world::Beliefs near = scene(1, {{-0.5, 0.0}, 0.0}, {0.0, 0.0});
@@ -77,7 +82,8 @@ TEST(Possession, NetworkFromAFileChooses) {
     std::ofstream(path) << network::to_json(d);
     PossessionConfig config;
     config.network = path;
-    PossessionBehaviour b = make_possession(config, skills::SkillConfig{}, test::simple_kick());
+    PossessionBehaviour b =
+        make_possession(config, skills::SkillConfig{}, test::simple_kick(), chances(1));
     const motion::State body;
     const world::Beliefs far = scene(1, {{-3.0, 0.0}, 0.0}, {0.0, 0.0});
     b.get_skill({.beliefs = far, .body = body, .robots = {}});
@@ -86,10 +92,10 @@ TEST(Possession, NetworkFromAFileChooses) {
 
     d.outputs.pop_back();
     std::ofstream(path) << network::to_json(d);
-    EXPECT_THROW(make_possession(config, skills::SkillConfig{}, test::simple_kick()),
+    EXPECT_THROW(make_possession(config, skills::SkillConfig{}, test::simple_kick(), chances(1)),
                  network::NetworkError);
     config.network = path + ".missing";
-    EXPECT_THROW(make_possession(config, skills::SkillConfig{}, test::simple_kick()),
+    EXPECT_THROW(make_possession(config, skills::SkillConfig{}, test::simple_kick(), chances(1)),
                  network::NetworkError);
 }
 
@@ -102,7 +108,8 @@ TEST(Possession, StraightTakesTheBallForOneThatLies) {
         b.ball.moving = true;
         b.ball.velocity = {0.0, 4.0};
         b.ball.finish = {0.0, 4.0};
-        PossessionBehaviour behaviour = make_possession(c, skills::SkillConfig{}, test::simple_kick());
+        PossessionBehaviour behaviour =
+            make_possession(c, skills::SkillConfig{}, test::simple_kick(), chances(1));
         const motion::State body;
         const PossessionInput in{.beliefs = b, .body = body, .target = {4.0, 0.0}, .robots = {}};
         behaviour.get_skill(in);
@@ -112,19 +119,30 @@ TEST(Possession, StraightTakesTheBallForOneThatLies) {
     EXPECT_GT(first_step({}).turn, 0.2) << "the rules look ahead";
 }
 
-TEST(Possession, ChanceTriesEveryState) {
+/// States of "random" over 50 s, far from the ball.
+std::vector<int> states_by_chance(std::uint64_t seed) {
     PossessionConfig config;
     config.chooser = "random";
-    PossessionBehaviour b = make_possession(config, skills::SkillConfig{}, test::simple_kick());
+    PossessionBehaviour b =
+        make_possession(config, skills::SkillConfig{}, test::simple_kick(), chances(seed));
     const motion::State body;
     world::Beliefs far = scene(1, {{-3.0, 0.0}, 0.0}, {0.0, 0.0});
-    std::array<int, kPossessionStates> seen{};
+    std::vector<int> states;
     for (int i = 0; i < 100; ++i) {
         far.now += 0.5;
         b.get_skill({.beliefs = far, .body = body, .target = {4.0, 0.0}, .robots = {}});
-        ++seen[static_cast<std::size_t>(b.state())];
+        states.push_back(b.state());
     }
-    for (const int count : seen) EXPECT_GT(count, 5);
+    return states;
+}
+
+TEST(Possession, ChanceTriesEveryStateAndFollowsItsSeed) {
+    const std::vector<int> states = states_by_chance(1);
+    for (int state = 0; state < static_cast<int>(kPossessionStates); ++state) {
+        EXPECT_GT(std::count(states.begin(), states.end(), state), 5) << state;
+    }
+    EXPECT_EQ(states_by_chance(1), states);
+    EXPECT_NE(states_by_chance(2), states);
 }
 
 }  // namespace

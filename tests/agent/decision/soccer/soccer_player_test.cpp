@@ -14,7 +14,7 @@ using namespace test;
 
 class Soccer : public ::testing::Test {
   protected:
-    SoccerPlayer plays{{}, {}, simple_kick()};
+    SoccerPlayer plays{{}, {}, simple_kick(), RandomStream(1, "test", "soccer")};
     motion::State standing;
 };
 

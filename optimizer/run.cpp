@@ -158,7 +158,7 @@ void Run::require(const std::string& folder, const std::string& file,
     for (const char* name : {"experiment", "network", "overrides"}) {
         if (fact(begun, name) == fact(wanted, name)) continue;
         throw ledger::LedgerError(fmt::format(
-            "{}: begun with another {} than {} has now with overrides {}. Delete the folder to search "
+            "{}: begun with another {} than {} has now, with overrides {}. Delete the folder to search "
             "anew, or name another --out", folder, name, file, fact(wanted, "overrides")));
     }
 }
@@ -173,18 +173,17 @@ Run Run::resume(const std::string& folder) {
                ledger::Ledger::open(ledger_file(folder), ledger::Ledger::Access::Write));
 }
 
-std::optional<std::string> Run::ended() const {
-    if (const auto reason = algorithm_->finished()) return reason;
+bool Run::hours_are_used_up() const {
     // Counted up to the present generation alone: within it nothing changes, resumed or not.
     const double limit_s = experiment_.budget.simulated_hours * 3600.0;
-    if (limit_s > 0.0 && ledger_.simulated_before(algorithm_->generation()) >= limit_s) {
-        return "simulated_hours";
-    }
-    return std::nullopt;
+    return limit_s > 0.0 && ledger_.simulated_before(algorithm_->generation()) >= limit_s;
 }
 
 std::optional<Round> Run::next_round() {
-    if (!ended()) return search_round();
+    if (!ended()) {
+        if (hours_are_used_up()) algorithm_->end_after_generation("simulated_hours");
+        return search_round();
+    }
     Round test = test_round();
     return test.complete() ? std::nullopt : std::optional(std::move(test));
 }

@@ -46,10 +46,11 @@ class Run {
     const algorithm::Algorithm& algorithm() const { return *algorithm_; }
     ledger::Ledger& ledger() { return ledger_; }
     /// Why the search is over; none while it goes on.
-    std::optional<std::string> ended() const;
+    std::optional<std::string> ended() const { return algorithm_->finished(); }
 
   private:
     Run(std::string folder, std::unique_ptr<ledger::Lock> lock, ledger::Ledger ledger);
+    bool hours_are_used_up() const;
     Round search_round();
     Round test_round() const;
 

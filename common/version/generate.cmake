@@ -6,6 +6,13 @@ execute_process(COMMAND git describe --always --dirty --exclude=* --abbrev=12
 set(version ${VERSION})
 if(NOT failed)
     string(APPEND version "+${commit}")
+    if(commit MATCHES "-dirty$")
+        # Two edited trees of one commit are two versions.
+        execute_process(COMMAND git diff HEAD WORKING_DIRECTORY ${SOURCE} OUTPUT_VARIABLE edits ERROR_QUIET)
+        string(SHA1 hash "${edits}")
+        string(SUBSTRING ${hash} 0 8 hash)
+        string(APPEND version "-${hash}")
+    endif()
 endif()
 set(text "#include \"common/version/version.h\"\nnamespace k3d {\nstd::string_view code_version() { return \"${version}\"; }\n}\n")
 if(EXISTS ${OUT})

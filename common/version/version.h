@@ -6,8 +6,8 @@
 
 namespace k3d {
 
-/// Version and commit, e.g. "0.1.0+4b65ab3", with "-dirty" if the tree had changes; without a git
-/// checkout only the version.
+/// Version and commit, e.g. "0.1.0+4b65ab3", with "-dirty-" and a hash of the changes if tracked
+/// files had any; without a git checkout only the version.
 std::string_view code_version();
 
 }  // namespace k3d

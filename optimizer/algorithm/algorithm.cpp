@@ -120,6 +120,7 @@ void Algorithm::Impl::learn() {
     std::visit([&all](auto& s) { s.update(all); }, search);
     std::visit([this](const auto& s) { s.report(line); }, search);
     pending = reason_to_end();
+    if (!pending) pending = last;
     if (spec.sampling.validation_episodes == 0) {
         if (!finalists.empty()) crown(finalists.front(), *finalists.front().train.score, false);
         return;
@@ -282,6 +283,8 @@ void Algorithm::advance() {
     }
     impl_->advance();
 }
+
+void Algorithm::end_after_generation(const std::string& reason) { impl_->last = reason; }
 
 std::optional<std::string> Algorithm::finished() const { return impl_->finished; }
 int Algorithm::generation() const { return impl_->generation; }

@@ -81,6 +81,10 @@ class Algorithm {
     /// generation begins, or the run has finished. Throws std::logic_error unless settled().
     void advance();
 
+    /// The generation under evaluation is the last one; its best are validated as at any end. Not part
+    /// of the saved state: said again after restore().
+    void end_after_generation(const std::string& reason);
+
     /// Why the search is over; then ask() is empty. Says "max_generations", "target", ...
     std::optional<std::string> finished() const;
     int generation() const;               ///< the one that is being evaluated

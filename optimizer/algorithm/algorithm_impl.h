@@ -35,6 +35,7 @@ struct Algorithm::Impl {
     nlohmann::json line;                 ///< of this generation, until it is closed
     std::optional<std::string> pending;  ///< why the search ends after this validation
     std::optional<std::string> finished;
+    std::optional<std::string> last;  ///< why this generation is the last one; not saved
 
     void begin();
     void advance();

@@ -18,7 +18,7 @@ struct ComparedRow {
     spec::RowSpec spec;
     std::string origin;              ///< who plays, e.g. which candidate of which run
     std::vector<ledger::Row> rows;   ///< in the order of episodes; fewer if the table is unfinished
-    std::string version;             ///< of the code that played them
+    std::string version = {};        ///< of the code that played them
 };
 
 struct Comparison {

@@ -41,7 +41,7 @@ struct BudgetSpec {
     double simulated_hours = 0.0;
     void describe(config::Fields& f) {
         f.number("simulated_hours", simulated_hours, {0.0, 1e9}, "h",
-                 "no generation begins after these; 0: no limit");
+                 "of training episodes; the generation that begins after these is the last one; 0: no limit");
     }
 };
 

@@ -34,7 +34,7 @@ struct SearchBudget {
     }
 };
 
-/// How much is spent on what. Budgets differ in nothing else.
+/// How much is spent on what, and who else plays.
 struct Budget {
     std::string description;
     int keepaway_episodes = 100;
@@ -64,8 +64,8 @@ struct SearchRun {
     int run = 1;
 };
 
-/// In rounds: the first run of every search before any second one, so that what is interrupted has
-/// something of everything.
+/// In rounds: the first run of every search before any second one, so that an interrupted day of
+/// learning has something of each.
 std::vector<SearchRun> runs_in_order(const Budget& budget);
 
 /// Who plays a row: an agent's setting, or what a search has found.

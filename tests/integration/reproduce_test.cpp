@@ -13,10 +13,13 @@ using ::testing::Not;
 
 class Reproduce : public RunRig {
   protected:
-    Reproduce() {
+    Reproduce() { write("tiny.toml", budget("1", "1")); }
+
+    /// Time limit of the test episodes, and generations of the search.
+    static std::string budget(const std::string& limit, const std::string& generations) {
         std::string budget =
             "description = \"a second each\"\nkeepaway_episodes = 2\ntakers = \"greedy\"\n"
-            "slow_takers = false\nsettings = \"server:keepaway.limit=1\"\n";
+            "slow_takers = false\nsettings = \"server:keepaway.limit=" + limit + "\"\n";
         for (const char* left_out :
              {"keepaway_neat", "keepaway_neat_noise", "keepaway_linear_hold", "keepaway_algorithm2",
               "keepaway_getopen", "possession_neat", "possession_linear", "kick",
@@ -25,10 +28,11 @@ class Reproduce : public RunRig {
         }
         budget +=
             "[keepaway_linear]\nset = \"'task.settings=server:physics.stepper=fast "
-            "server:keepaway.limit=1' algorithm.max_generations=1 algorithm.sampling.episodes=1 "
+            "server:keepaway.limit=1' algorithm.max_generations=" + generations +
+            " algorithm.sampling.episodes=1 "
             "algorithm.sampling.halving_episodes=0 algorithm.sampling.validation_episodes=1 "
             "algorithm.sampling.finalists=1 algorithm.cmaes.population=4\"\n";
-        write("tiny.toml", budget);
+        return budget;
     }
     std::vector<std::string> words(const std::string& part) const {
         return {"reproduce", part,           "--budget", path("tiny.toml"),
@@ -61,10 +65,24 @@ TEST_F(Reproduce, Table1FromNothingInTwoGoes) {
     EXPECT_THAT(content("out/report.html"), HasSubstr("<h1>The paper's results, reproduced</h1>"));
     EXPECT_THAT(content("out/tables.csv"), HasSubstr("table1-greedy,still,\"Stand still\",hold_time_s,2,"));
     EXPECT_THAT(content("out/searches.csv"), HasSubstr("\"keepaway_linear\",\"1\",\"cmaes\",\"attempts\",\"1\","));
+
+    write("tiny.toml", budget("2", "1"));
+    EXPECT_EQ(run(words("table1"), "other.log"), 1) << content("other.log");
+    EXPECT_THAT(content("other.log"), HasSubstr("was played with another candidate, task or seed"));
+    EXPECT_THAT(content("other.log"), HasSubstr("Delete the folder"));
+    EXPECT_THAT(content("other.log"), HasSubstr("what there is: "));
+    write("tiny.toml", budget("1", "2"));
+    EXPECT_EQ(run(words("table1"), "other.log"), 1) << content("other.log");
+    EXPECT_THAT(content("other.log"), HasSubstr("keepaway_linear-1: begun with another overrides"));
 }
 
 TEST_F(Reproduce, MistakesAreNamed) {
     std::vector<std::string> bad = words("table1");
+    const std::string folder = K3D_SOURCE_DIR "/optimizer/experiments/networks/";
+    std::vector<std::string> other = words("table1");
+    other.insert(other.end(), {"--champion", folder + "open_linear.json"});
+    EXPECT_EQ(run(other, "said"), 2) << content("said");
+    EXPECT_THAT(content("said"), HasSubstr("open_linear.json"));
     bad[3] = "huge";
     EXPECT_EQ(run(bad, "said"), 2);
     EXPECT_THAT(content("said"), HasSubstr("reproduce/huge.toml"));

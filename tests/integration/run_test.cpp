@@ -94,6 +94,15 @@ TEST_F(Runs, AnEpisodeThatNeverWorksIsCountedAsTheWorst) {
     EXPECT_THAT(content("a.log"), HasSubstr("try 4 of 4 failed: server: killed by signal 9"));
 }
 
+TEST_F(Runs, UsedUpHoursEndItWithAChampion) {
+    ASSERT_EQ(run({"run", path("exp.toml"), "--run", path("a"), "--set", "budget.simulated_hours=1e-6",
+                   "--set", "algorithm.sampling.validate_every=3"}, "a.log"), 0)
+        << content("a.log");
+    ASSERT_EQ(run({"show", path("a")}, "shown"), 0);
+    EXPECT_THAT(content("shown"), HasSubstr("search ended: simulated_hours"));
+    EXPECT_THAT(content("shown"), ::testing::Not(HasSubstr("champion on test seeds: none")));
+}
+
 TEST_F(Runs, ADrillIsATask) {
     const std::string walk = K3D_SOURCE_DIR "/optimizer/experiments/walk_forward.toml";
     const std::vector<std::string> small{

@@ -69,6 +69,53 @@ TEST(Run, EndsAtItsLimits) {
                 HasSubstr("tolerance_x"));
 }
 
+TEST(Run, ValidatesWhatItHasWhenItIsToEnd) {
+    spec::AlgorithmSpec spec;
+    spec.sampling.validation_episodes = 5;
+    spec.sampling.validate_every = 10;
+    Algorithm algorithm(spec, testing::box(4, 1.0, 1.0), 3);
+    const auto play = [&algorithm] {
+        for (const Request& r : algorithm.ask()) {
+            const double value = -testing::sphere(std::get<Values>(r.payload));
+            algorithm.tell(r.candidate, r.pool, {value, 0.0, r.episodes});
+        }
+        algorithm.advance();
+    };
+    play();
+    ASSERT_FALSE(algorithm.champion()) << "no validation is due";
+    algorithm.end_after_generation("enough");
+    for (int i = 0; i < 5 && !algorithm.finished(); ++i) play();
+    EXPECT_EQ(algorithm.finished(), "enough");
+    EXPECT_EQ(algorithm.generation(), 1);
+    ASSERT_TRUE(algorithm.champion());
+    EXPECT_TRUE(algorithm.champion()->validated);
+}
+
+/// With means that fall as more is played of a candidate: the first episodes flatter.
+TEST(Run, WhomHalvingSentHomeIsNoFinalist) {
+    spec::AlgorithmSpec spec;
+    spec.name = "random_search";
+    spec.random_search.population = 16;
+    spec.sampling.episodes = 2;
+    spec.sampling.halving_episodes = 48;
+    spec.sampling.validation_episodes = 4;
+    spec.sampling.finalists = 2;
+    Algorithm algorithm(spec, testing::box(2, 1.0, 1.0), 3);
+    std::map<std::uint64_t, int> played;
+    while (algorithm.ask().front().pool == Pool::Train) {
+        for (const Request& r : algorithm.ask()) {
+            played[r.candidate] = r.episodes;
+            algorithm.tell(r.candidate, r.pool, {1.0 / r.episodes, 0.0, r.episodes});
+        }
+        algorithm.advance();
+    }
+    int most = 0;
+    for (const auto& [candidate, episodes] : played) most = std::max(most, episodes);
+    EXPECT_EQ(std::count_if(played.begin(), played.end(),
+                            [most](const auto& p) { return p.second == most; }),
+              2) << "each round is among those of the round before";
+}
+
 TEST(Run, FlatFitnessNeitherEndsAtOnceNorCrashes) {
     for (const char* name : {"cmaes", "cross_entropy", "random_search"}) {
         spec::AlgorithmSpec spec;

@@ -79,6 +79,16 @@ TEST(Comparison, WhatFailedIsCountedAndInNoMean) {
     EXPECT_EQ(compare(c).at(1).lines[1].s.n, 1u);
 }
 
+TEST(Comparison, DifferentVersionsAreNamed) {
+    Comparison c = three_rows();
+    for (auto& row : c.rows) row.version = "0.1.0+a";
+    EXPECT_EQ(warning(c), "");
+    c.rows[1].version = "0.1.0+b";
+    EXPECT_THAT(warning(c), HasSubstr("0.1.0+a, 0.1.0+b"));
+    EXPECT_THAT(comparison_text(c), HasSubstr(warning(c)));
+    EXPECT_THAT(comparison_html(c), HasSubstr(warning(c)));
+}
+
 TEST(Comparison, ThePaperStandsBeside) {
     const std::string text = comparison_text(three_rows());
     EXPECT_THAT(text, HasSubstr("Paper: learned"));

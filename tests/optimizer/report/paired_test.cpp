@@ -53,6 +53,12 @@ TEST(Paired, TooLittleTellsNothing) {
     EXPECT_FALSE(paired({1.0, 2.0}, {0.0, 0.0})->ratio);
 }
 
+TEST(Paired, SignedFiguresHaveNoRatio) {
+    EXPECT_TRUE(paired({2.0, 3.0}, {1.0, 2.0})->ratio);
+    EXPECT_FALSE(paired({2.0, -1.0}, {1.0, 2.0})->ratio);
+    EXPECT_FALSE(paired({2.0, 3.0}, {-1.0, 2.0})->ratio);
+}
+
 TEST(Paired, Holm) {
     const std::vector<double> p = holm({0.01, 0.04, 0.03, 0.005});
     EXPECT_DOUBLE_EQ(p[3], 0.02);

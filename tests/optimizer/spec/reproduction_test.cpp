@@ -84,7 +84,7 @@ TEST(Reproduction, TheNetworkThatSearchesStartFromPlaysToo) {
         const auto row = std::find_if(table.rows.begin(), table.rows.end(),
                                       [](const RowSpec& r) { return r.key == "start"; });
         ASSERT_NE(row, table.rows.end()) << table.name;
-        EXPECT_EQ(row->settings, "keeper.policy=\"/some where/start.json\"");
+        EXPECT_EQ(row->network, "/some where/start.json");
     }
 }
 
@@ -93,7 +93,7 @@ TEST(Reproduction, AChampionLearnedBeforePlaysToo) {
     budget.champion = "/some where/net.json";
     const auto tables = tables_of("table1", budget);
     const auto is_champion = [](const RowSpec& row) {
-        return row.key == "champion-file" && row.settings == "keeper.policy=\"/some where/net.json\"";
+        return row.key == "champion-file" && row.network == "/some where/net.json";
     };
     for (const TableSpec& table : tables) {
         EXPECT_TRUE(std::any_of(table.rows.begin(), table.rows.end(), is_champion)) << table.name;

@@ -37,6 +37,7 @@ episode::Job JobMaker::job(const std::optional<algorithm::Payload>& payload, epi
     job.key = key_of(phase, request, episode);
     job.seed = algorithm::scenario_seed(experiment.seed, request.pool, request.generation, episode);
     job.task = experiment.task;
+    job.task.taker = spec::taker_of(experiment.task, episode);
     job.code_version = code_version();
     const bool test = phase == episode::Phase::Test || phase == episode::Phase::Baseline;
     if (test && !experiment.test.settings.empty()) {

@@ -192,6 +192,7 @@ const std::vector<Search>& searches() {
         {"keepaway_linear", "table1", "Learned: linear by CMA-ES"},
         {"keepaway_neat_noise", "table1", "Learned: NEAT with noise handling"},
         {"keepaway_neat", "table1", "Learned: NEAT as in the paper"},
+        {"keepaway_linear_both", "table1", "Learned: linear by CMA-ES, against takers of both kinds"},
         {"keepaway_linear_hold", "table1", "Learned: linear by CMA-ES, hold time as fitness"},
         {"keepaway_algorithm2", "table1", "Algorithm 2, constants by CMA-ES"},
         {"keepaway_getopen", "table1", "Algorithm 2, K3's place learned by CMA-ES"}};

@@ -51,7 +51,8 @@ struct TaskSpec {
                "keepaway: who gets the parameters; agent: both sides");
         f.integer("keepers", keepers, {1, 11}, "players", "keepaway: left team");
         f.integer("takers", takers, {1, 11}, "players", "keepaway: right team");
-        f.text("taker", taker, {"greedy", "greedy_random"}, "keepaway: the takers' strategy");
+        f.text("taker", taker, {"greedy", "greedy_random", "both"},
+               "keepaway: the takers' strategy; both: of even episodes greedy, of odd ones greedy_random");
         f.text("taker_command", taker_command, {},
                "keepaway: a foreign program in the takers' seats, as match --taker-command; runs where "
                "the episode is played");
@@ -67,5 +68,11 @@ struct TaskSpec {
         f.text("agent_program", agent_program, {}, "empty: k3d-agent beside this program");
     }
 };
+
+/// The strategy of the takers in an episode of a candidate, counted from 0.
+inline std::string taker_of(const TaskSpec& task, int episode) {
+    if (task.taker != "both") return task.taker;
+    return episode % 2 == 0 ? "greedy" : "greedy_random";
+}
 
 }  // namespace k3d::optimizer::spec

@@ -21,9 +21,9 @@ class Reproduce : public RunRig {
             "description = \"a second each\"\nkeepaway_episodes = 2\ntakers = \"greedy\"\n"
             "slow_takers = false\nsettings = \"server:keepaway.limit=" + limit + "\"\n";
         for (const char* left_out :
-             {"keepaway_neat", "keepaway_neat_noise", "keepaway_linear_hold", "keepaway_algorithm2",
-              "keepaway_getopen", "possession_neat", "possession_linear", "kick",
-              "ball_prediction"}) {
+             {"keepaway_neat", "keepaway_neat_noise", "keepaway_linear_both", "keepaway_linear_hold",
+              "keepaway_algorithm2", "keepaway_getopen", "possession_neat", "possession_linear",
+              "kick", "ball_prediction"}) {
             budget += std::string("[") + left_out + "]\nruns = 0\n";
         }
         budget +=

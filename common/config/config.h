@@ -26,8 +26,9 @@ void load_text(const Describe& describe, std::string_view toml, std::string_view
 void load_file(const Describe& describe, const std::string& path);
 /// Sets one field by path, as flags do: set(d, "walk.step_height", "0.03").
 void set(const Describe& describe, std::string_view path, std::string_view value);
-/// The resolved configuration as TOML, each field with its unit, range and meaning as a comment.
-std::string print(const Describe& describe);
+enum class Comments { Yes, No };
+/// The resolved configuration as TOML, with comments: each field with its unit, range and meaning.
+std::string print(const Describe& describe, Comments comments = Comments::Yes);
 /// The fields themselves, for programs: a JSON list of {"path", "type" (number, integer, seed,
 /// boolean, text, numbers), "value", "min", "max" (null: none), "unit", "meaning"}.
 std::string print_fields(const Describe& describe);

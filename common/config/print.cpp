@@ -46,15 +46,16 @@ std::string comment(const Field& field) {
 
 }  // namespace
 
-std::string print(const Describe& describe) {
+std::string print(const Describe& describe, Comments comments) {
     // A field after a section would belong to that section: each section gathers its own text.
     std::vector<std::pair<std::string, std::string>> sections{{"", ""}};
-    const auto on_field = [&sections](const Field& field) {
+    const auto on_field = [&](const Field& field) {
         const std::string_view section = section_of(field.path);
         for (auto& [path, text] : sections) {
             if (path != section) continue;
-            text += std::string(key_of(field.path)) + " = " + std::visit(ValueText{}, field.value) +
-                    "  # " + comment(field) + "\n";
+            text += std::string(key_of(field.path)) + " = " + std::visit(ValueText{}, field.value);
+            if (comments == Comments::Yes) text += "  # " + comment(field);
+            text += '\n';
         }
     };
     const auto on_section = [&sections](const std::string& path) {

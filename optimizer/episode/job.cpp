@@ -30,9 +30,10 @@ Key key_of(const Json& j) {
             j.at("candidate").get<std::uint64_t>(), j.at("episode").get<int>()};
 }
 
+/// Values alone: what is said of a field must not make another job of it.
 std::string task_text(const spec::TaskSpec& task) {
     spec::TaskSpec copy = task;
-    return config::print(config::describing(copy));
+    return config::print(config::describing(copy), config::Comments::No);
 }
 
 /// Parses and reads; whatever is wrong becomes a JobError.

@@ -42,6 +42,11 @@ RC_GTEST_PROP(Job, ReadsBackAsItWas, ()) {
     RC_ASSERT(fingerprint(job_from_json(to_json(job))) == fingerprint(job));
 }
 
+TEST(Job, SaysNothingOfWhatFieldsMean) {
+    EXPECT_THAT(to_json(sample()), ::testing::HasSubstr("taker = "));
+    EXPECT_THAT(to_json(sample()), ::testing::Not(::testing::HasSubstr("keepaway: the takers")));
+}
+
 TEST(Job, TheFingerprintFollowsFromAllButKeyAndSeed) {
     const std::string first = fingerprint(sample());
     Job job = sample();

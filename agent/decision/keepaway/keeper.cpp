@@ -220,8 +220,10 @@ void Keeper::choose_target(const world::Beliefs& b, Account& account) {
     const auto& targets = in_time_.empty() ? grid_ : in_time_;
     if (policy_.kind == Policy::Kind::Random) {
         // Among the same targets as any other policy: it differs by the choice alone.
-        const bool stands = target_ && std::find(targets.begin(), targets.end(), *target_) != targets.end();
-        if (!stands) target_ = targets[static_cast<std::size_t>(choices_.below(static_cast<int>(targets.size())))];
+        const bool stands =
+            target_ && std::find(targets.begin(), targets.end(), *target_) != targets.end();
+        const int count = static_cast<int>(targets.size());
+        if (!stands) target_ = targets[static_cast<std::size_t>(choices_.below(count))];
     } else {
         const double near = nearest_taker(b, b.ball.position);
         const double keep = near <= c.hold_threshold ? c.commit_margin : c.target_margin;

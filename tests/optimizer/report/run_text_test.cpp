@@ -72,6 +72,15 @@ TEST(Champion, IsWrittenAsTheAgentReadsIt) {
               "# who\nrole_count = 3\n\n[keeper]\nhold = 0.1\n\n[motion.walk]\nstep = 0.02\n");
 }
 
+TEST(Champion, CarriesWhatItsSearchFixedForTheAgents) {
+    spec::Experiment e;
+    e.parameters = {{"keeper.hold", 1.0, 1.0, 0.0, 5.0}};
+    e.task.settings = "server:physics.stepper=fast agent:keeper.tie=2 keeper:keeper.hold=9";
+    algorithm::Champion champion;
+    champion.payload = std::vector<double>{0.1};
+    EXPECT_EQ(champion_file(e, champion, "who"), "# who\n\n[keeper]\nhold = 0.1\ntie = 2\n");
+}
+
 TEST(Champion, IsANetworkThatSaysWhereItComesFrom) {
     spec::Experiment e;
     e.start_network = network::parse(

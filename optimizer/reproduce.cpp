@@ -60,15 +60,15 @@ struct Work {
     }
 };
 
-/// Transfer tries what table 1 has learned, so it needs those searches.
 std::vector<std::string> parts_for(const std::string& wanted) {
     if (wanted == "all") return spec::kParts;
     return {wanted};
 }
 
+/// Transfer tries what table 1 has learned, so it needs the champion's search.
 bool is_needed(const Work& work, const spec::Search& search) {
     const bool transfers = work.wants("transfer") && work.budget.champion.empty();
-    return work.wants(search.part) || (search.part == "table1" && transfers);
+    return work.wants(search.part) || (transfers && search.name == work.budget.champion_search);
 }
 
 std::string file_of(const Work& work, const spec::Search& search) {
@@ -109,27 +109,20 @@ bool learn(Work& work, const spec::Search& search, int number) {
     return true;
 }
 
-/// The learned evaluation function of the best validated passes; never judged by a test.
-Found best_of_table1(const Work& work) {
+/// What the best run of the budget's champion_search has found, by validation; never judged by a test.
+Found find_champion(const Work& work) {
+    const std::string& name = work.budget.champion_search;
     std::optional<Found> best;
-    for (const spec::Search& search : spec::searches()) {
-        if (search.part != "table1") continue;
-        for (int run = 1; run <= work.budget.searches.at(search.name).runs; ++run) {
-            Found found = found_in(work.search_folder(search.name, run));
-            if (found.experiment.network.path != "keeper.policy") continue;
-            if (fitness::measure(found.experiment.task) != "attempts") continue;
-            if (!best || found.champion->score.mean > best->champion->score.mean) {
-                best = std::move(found);
-            }
-        }
+    for (int run = 1; run <= work.budget.searches.at(name).runs; ++run) {
+        Found found = found_in(work.search_folder(name, run));
+        if (!best || found.champion->score.mean > best->champion->score.mean) best = std::move(found);
     }
-    if (!best) throw std::runtime_error("the budget has no search that learns an evaluation function");
-    return *best;
+    return best.value();  // require_champion() has seen to it
 }
 
 RowPlayer player_of(const Work& work, const spec::RowSpec& row) {
     if (row.takes_best) {
-        RowPlayer player{best_of_table1(work), ""};
+        RowPlayer player{find_champion(work), ""};
         player.who = player.found->origin;
         return player;
     }
@@ -192,8 +185,24 @@ report::Reproduction gather(const Work& work) {
     return out;
 }
 
+/// Throws if rows want a champion that the budget does not search: before anything is learned.
+void require_champion(const Work& work) {
+    const std::string& name = work.budget.champion_search;
+    if (!work.budget.champion.empty() || work.budget.searches.at(name).runs > 0) return;
+    for (const std::string& part : work.parts) {
+        for (const spec::TableSpec& table : spec::tables_of(part, work.budget)) {
+            const bool wants = std::any_of(table.rows.begin(), table.rows.end(),
+                                           [](const spec::RowSpec& row) { return row.takes_best; });
+            if (!wants) continue;
+            throw std::runtime_error(fmt::format(
+                "{} wants the champion of {}, of which the budget has no run", table.name, name));
+        }
+    }
+}
+
 /// All searches that are needed, then each part's tables; false if the user wants to stop.
 bool do_parts(Work& work) {
+    require_champion(work);
     for (const auto& [search, run] : spec::runs_in_order(work.budget)) {
         if (is_needed(work, *search) && !learn(work, *search, run)) return false;
     }
@@ -205,15 +214,19 @@ bool do_parts(Work& work) {
     return true;
 }
 
-/// Throws network::NetworkError if a network that is to play is missing, damaged or no evaluation
-/// function: before anything is learned.
+/// Throws network::NetworkError if a network that is to play is missing, damaged or of a shape that
+/// keepers do not take: before anything is learned.
 void check_networks(const spec::Budget& budget) {
-    const network::Definition start = network::load_file(budget.start);
-    std::vector<std::string_view> inputs;
-    for (const network::Input& input : start.inputs) inputs.push_back(input.name);
+    const network::Definition targets = network::load_file(budget.start.targets);
+    const network::Definition both = network::load_file(budget.start.both);
+    network::load_file(budget.start.places);
     if (budget.champion.empty()) return;
     const network::Network champion(network::load_file(budget.champion), budget.champion);
-    network::require_shape(champion, inputs, start.outputs.size(), budget.champion);
+    const bool values_places = champion.definition().outputs.size() == both.outputs.size();
+    const network::Definition& model = values_places ? both : targets;
+    std::vector<std::string_view> inputs;
+    for (const network::Input& input : model.inputs) inputs.push_back(input.name);
+    network::require_shape(champion, inputs, model.outputs.size(), budget.champion);
 }
 
 spec::Budget budget_of(const Flags& flags) {
@@ -226,7 +239,9 @@ spec::Budget budget_of(const Flags& flags) {
         spec::check_command("--foreign-takers", flags.foreign_takers);
         budget.foreign_takers = flags.foreign_takers;
     }
-    budget.start = flags.experiments + "/networks/evaluation_linear.json";
+    const std::string networks = flags.experiments + "/networks/";
+    budget.start = {networks + "evaluation_linear.json", networks + "open_linear.json",
+                    networks + "getopen_linear.json"};
     check_networks(budget);
     return budget;
 }

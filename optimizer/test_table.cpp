@@ -74,7 +74,7 @@ Round round_of(const spec::TableSpec& table, const spec::RowSpec& row, const Row
         job.settings.insert(job.settings.begin(), fixed.begin(), fixed.end());  // what was tuned wins
         job.settings.insert(job.settings.end(), own.begin(), own.end());
         if (!network.empty()) {
-            job.network_path = "keeper.policy";
+            job.network_path = row.network_path;
             job.network = network;
         }
         job.code_version = facts.at("code_version");

@@ -54,7 +54,7 @@ struct KeeperConfig {
         f.text("policy", policy, {},
                "how K1 values targets: handcoded, still, hold, random, or a network file");
         f.text("open", open, {},
-               "network file that values K3's places; empty: K3 goes home, as in the paper");
+               "network file that values K3's places; empty: keeper.policy's, or K3 goes home as in the paper");
         f.number("hold_threshold", hold_threshold, {0.0, 20.0}, "m",
                  "K1 holds while the nearest taker is farther from the ball than this");
         f.number("role_hysteresis", role_hysteresis, {0.0, 5.0}, "m",

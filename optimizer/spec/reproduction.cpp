@@ -16,6 +16,8 @@ namespace k3d::optimizer::spec {
 
 namespace {
 
+constexpr const char* kReference = "algorithm2";
+
 /// Rows of the runs of every search of a part, in the order of searches().
 void add_learned(std::vector<RowSpec>& rows, const std::string& part, const Budget& budget) {
     for (const Search& search : searches()) {
@@ -62,24 +64,38 @@ TableSpec keepaway_table(std::string name, std::string title, const Budget& budg
     table.title = std::move(title);
     table.task.settings = budget.settings;
     table.episodes = budget.keepaway_episodes;
-    table.reference = "algorithm2";
+    table.reference = kReference;
     return table;
 }
 
 RowSpec algorithm2() {
-    return plain("algorithm2", "Algorithm 2, constants as printed", "keeper.policy=handcoded");
+    return plain(kReference, "Algorithm 2, constants as printed", "keeper.policy=handcoded");
 }
 
-/// What learning has to beat; how much of a gain is the start network's own shows its row.
+/// What learning has to beat; how much of a gain is the start networks' own, or comes from where K3 stands,
+/// show their rows.
+std::vector<RowSpec> all_baselines(const StartNetworks& start) {
+    RowSpec with_places = algorithm2();
+    with_places.key = "algorithm2-places";
+    with_places.label = "Algorithm 2, K3's places by hand";
+    with_places.network = start.places;
+    with_places.network_path = "keeper.open";
+    return {algorithm2(),
+            with_places,
+            network_file("start", "Linear by hand: where the linear searches start", start.targets),
+            network_file("start-places", "Linear by hand, K3's places too", start.both),
+            plain("random", "Random one of the possible targets", "keeper.policy=random"),
+            plain("hold", "Always hold", "keeper.policy=hold"),
+            plain("still", "Stand still", "keeper.policy=still")};
+}
+
 std::vector<RowSpec> keepaway_baselines(const Budget& budget) {
-    std::vector<RowSpec> rows{algorithm2()};
-    if (!budget.start.empty()) {
-        rows.push_back(
-            network_file("start", "Linear by hand: where the linear searches start", budget.start));
-    }
-    rows.push_back(plain("random", "Random one of the possible targets", "keeper.policy=random"));
-    rows.push_back(plain("hold", "Always hold", "keeper.policy=hold"));
-    rows.push_back(plain("still", "Stand still", "keeper.policy=still"));
+    const std::vector<std::string> wanted = split_words(budget.baselines);
+    std::vector<RowSpec> rows = all_baselines(budget.start);
+    std::erase_if(rows, [&](const RowSpec& row) {
+        return row.key != kReference &&
+               std::find(wanted.begin(), wanted.end(), row.key) == wanted.end();
+    });
     return rows;
 }
 
@@ -158,12 +174,31 @@ void check_taker(const std::string& taker) {
     throw std::invalid_argument(fmt::format("takers: '{}' is not greedy or greedy_random", taker));
 }
 
+void check_baseline(const std::string& key) {
+    std::string all;
+    for (const RowSpec& row : all_baselines({})) {
+        if (row.key == key) return;
+        all += " " + row.key;
+    }
+    throw std::invalid_argument(fmt::format("baselines: '{}' is none of:{}", key, all));
+}
+
 void check_side(const std::string& side) {
     double value = 0.0;
     const auto read = std::from_chars(side.data(), side.data() + side.size(), value);
     const bool whole = read.ec == std::errc() && read.ptr == side.data() + side.size();
     if (whole && value >= 8.0 && value <= 14.0) return;
     throw std::invalid_argument(fmt::format("sides: '{}' is not a number from 8 to 14", side));
+}
+
+/// Champions of different searches met other takers and time limits: their scores cannot be compared.
+void check_champion(const Budget& budget) {
+    const std::string& name = budget.champion_search;
+    const auto is_it = [&](const Search& s) { return s.part == "table1" && s.name == name; };
+    if (std::none_of(searches().begin(), searches().end(), is_it)) {
+        throw std::invalid_argument(
+            fmt::format("champion_search: '{}' is no search of table1", name));
+    }
 }
 
 TableSpec drill_table(const std::string& part, const Budget& budget) {
@@ -194,8 +229,8 @@ const std::vector<Search>& searches() {
         {"keepaway_neat", "table1", "Learned: NEAT as in the paper"},
         {"keepaway_linear_both", "table1", "Learned: linear by CMA-ES, against takers of both kinds"},
         {"keepaway_linear_hold", "table1", "Learned: linear by CMA-ES, hold time as fitness"},
-        {"keepaway_algorithm2", "table1", "Algorithm 2, constants by CMA-ES"},
-        {"keepaway_getopen", "table1", "Algorithm 2, K3's place learned by CMA-ES"}};
+        {"keepaway_linear_getopen", "table1", "Learned: linear by CMA-ES, K3's places too"},
+        {"keepaway_algorithm2", "table1", "Algorithm 2, constants by CMA-ES"}};
     return list;
 }
 
@@ -211,10 +246,14 @@ void Budget::describe(config::Fields& f) {
     f.integer("kick_episodes", kick_episodes, {2, 100000}, "", "of fig2");
     f.integer("rolls", rolls, {2, 100000}, "", "balls of fig3");
     f.text("takers", takers, {}, "words greedy, greedy_random: a table 1 against each");
+    f.text("baselines", baselines, {},
+           "words: rows of table 1 beside what is learned and Algorithm 2, as tables.csv names them");
     f.text("sides", sides, {}, "words: other sides of the area, m, that transfer tries");
     f.text("settings", settings, {}, "words PROGRAM:path=value in all keepaway test episodes");
     f.text("champion", champion, {},
            "network file: a row of table 1, and plays transfer instead of what was found");
+    f.text("champion_search", champion_search, {},
+           "without such a file: the search whose best run, by validation, plays transfer and the like");
     f.boolean("slow_takers", slow_takers, "table 1 also against takers of 0.66 m/s");
     f.text("foreign_takers", foreign_takers, {},
            "command of a foreign program: table 1 also against it in the takers' seats");
@@ -227,9 +266,11 @@ Budget load_budget(const std::string& file) {
     try {
         parse_settings(budget.settings);
         for (const std::string& taker : split_words(budget.takers)) check_taker(taker);
+        for (const std::string& key : split_words(budget.baselines)) check_baseline(key);
         check_command("foreign_takers", budget.foreign_takers);
         for (const std::string& side : split_words(budget.sides)) check_side(side);
         for (const auto& [name, search] : budget.searches) split_words(search.set);
+        check_champion(budget);
     } catch (const std::invalid_argument& error) {
         throw config::ConfigError(fmt::format("{}: {}", file, error.what()));
     }

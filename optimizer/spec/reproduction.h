@@ -34,6 +34,13 @@ struct SearchBudget {
     }
 };
 
+/// Files of networks made by hand: where searches of table 1 start. They play in its tables too.
+struct StartNetworks {
+    std::string targets;  ///< values K1's targets
+    std::string places;   ///< values K3's places
+    std::string both;     ///< values both
+};
+
 /// How much is spent on what, and who else plays.
 struct Budget {
     std::string description;
@@ -43,12 +50,14 @@ struct Budget {
     int kick_episodes = 12;
     int rolls = 100;
     std::string takers = "greedy greedy_random";
+    std::string baselines = "algorithm2-places start start-places random hold still";
     std::string sides = "8 9 11 12 13 14";
     std::string settings;
     bool slow_takers = true;
     std::string foreign_takers;  ///< command of a foreign program; empty: no such table
     std::string champion;  ///< network file: plays too, and in transfer instead of what was found
-    std::string start;  ///< network file, not of the TOML: where the searches of table 1 start; plays too
+    std::string champion_search = "keepaway_linear_getopen";  ///< its best run is the champion otherwise
+    StartNetworks start;  ///< not of the TOML: of the experiments
     std::map<std::string, SearchBudget> searches;
 
     Budget();
@@ -73,7 +82,8 @@ struct RowSpec {
     std::string key;       ///< of its folder
     std::string label;
     std::string settings;  ///< words path=value for the tuned side
-    std::string network = {};  ///< file: the keepers' evaluation function; empty: of the settings
+    std::string network = {};  ///< file of a network; empty: of the settings
+    std::string network_path = "keeper.policy";  ///< setting that takes this file
     std::string search;    ///< name of the search whose champion plays; empty: `settings` alone
     int run = 1;
     bool takes_best = false;  ///< the best of the searches' champions instead, by validation

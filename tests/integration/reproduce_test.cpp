@@ -22,7 +22,7 @@ class Reproduce : public RunRig {
             "slow_takers = false\nsettings = \"server:keepaway.limit=" + limit + "\"\n";
         for (const char* left_out :
              {"keepaway_neat", "keepaway_neat_noise", "keepaway_linear_both", "keepaway_linear_hold",
-              "keepaway_algorithm2", "keepaway_getopen", "possession_neat", "possession_linear",
+              "keepaway_algorithm2", "keepaway_linear_getopen", "possession_neat", "possession_linear",
               "kick", "ball_prediction"}) {
             budget += std::string("[") + left_out + "]\nruns = 0\n";
         }

@@ -48,4 +48,12 @@ Features features_at(const Vec2& p, const PassSituation& s, double ideal_pass) {
     return f;
 }
 
+PlaceFeatures place_features_at(const Vec2& p, const PassSituation& s, double ideal_pass) {
+    const Features f = features_at(p, s, ideal_pass);
+    PlaceFeatures all{};
+    std::copy(f.begin(), f.end(), all.begin());
+    all.back() = (p - s.ball).squaredNorm();
+    return all;
+}
+
 }  // namespace k3d::agent::decision

@@ -37,6 +37,14 @@ using Features = std::array<double, 8>;
 inline constexpr std::array<std::string_view, 8> kFeatureNames{"f1", "f2", "f3", "f4",
                                                                "f5", "f6", "f7", "f8"};
 
+/// f1..f8 and f9, the squared distance from p to the ball: what a network that also values K3's places
+/// sees (open_place.h).
+using PlaceFeatures = std::array<double, 9>;
+inline constexpr std::array<std::string_view, 9> kPlaceFeatureNames{"f1", "f2", "f3", "f4", "f5",
+                                                                    "f6", "f7", "f8", "f9"};
+
 Features features_at(const Vec2& point, const PassSituation& situation, double ideal_pass);
+PlaceFeatures place_features_at(const Vec2& point, const PassSituation& situation,
+                                double ideal_pass);
 
 }  // namespace k3d::agent::decision

@@ -82,7 +82,11 @@ Keeper::Keeper(const KeeperSettings& settings, Policy policy, const skills::Kick
     obstacles_.reserve(kMostRobots + 1);
     in_time_.reserve(grid_.size());
     scored_.reserve(grid_.size());
-    if (!settings.keeper.open.empty()) open_.emplace(settings.keeper.open, grid_);
+    if (!settings.keeper.open.empty()) {
+        open_.emplace(settings.keeper.open, grid_);
+    } else if (policy_.values_places) {
+        open_.emplace(*policy_.cost, grid_);
+    }
 }
 
 Decision Keeper::decide(const world::Beliefs& b, const motion::State& body,

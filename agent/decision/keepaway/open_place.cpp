@@ -6,20 +6,29 @@
 
 namespace k3d::agent::decision {
 
-OpenPlace::OpenPlace(const std::string& file, std::vector<Vec2> grid)
-    : net_(network::load_file(file), file), state_(net_.start()), grid_(std::move(grid)) {
-    network::require_shape(net_, kOpenPlaceNames, 1, file);
+namespace {
+
+network::Network load(const std::string& file) {
+    network::Network net(network::load_file(file), file);
+    network::require_shape(net, kPlaceFeatureNames, 1, file);
+    return net;
 }
 
+}  // namespace
+
+OpenPlace::OpenPlace(const std::string& file, std::vector<Vec2> grid)
+    : OpenPlace(load(file), std::move(grid)) {}
+
+OpenPlace::OpenPlace(network::Network net, std::vector<Vec2> grid)
+    : net_(std::move(net)),
+      state_(net_.start()),
+      outputs_(net_.definition().outputs.size()),
+      grid_(std::move(grid)) {}
+
 double OpenPlace::cost(const Vec2& point, const PassSituation& situation, double ideal_pass) {
-    const Features f = features_at(point, situation, ideal_pass);
-    std::array<double, kOpenPlaceNames.size()> inputs{};
-    std::copy(f.begin(), f.end(), inputs.begin());
-    inputs.back() = (point - situation.ball).squaredNorm();
     net_.start(state_);  // each place on its own, as targets are
-    double cost = 0.0;
-    net_.evaluate(inputs, state_, std::span(&cost, 1));
-    return cost;
+    net_.evaluate(place_features_at(point, situation, ideal_pass), state_, outputs_);
+    return outputs_.back();
 }
 
 Vec2 OpenPlace::choose(const PassSituation& situation, double ideal_pass) {

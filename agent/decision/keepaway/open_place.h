@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Where K3 stands: the paper leaves it at home; here a learned function may value the target points
-// as places for the pass after the next one, by the machinery that values K1's targets. Team frame, m.
+// Where K3 stands (GetOpen): the paper leaves it at home; here a learned function may value the target
+// points as places for the pass after the next one, by the machinery that values K1's targets. Team
+// frame, m.
 #pragma once
 
 #include <optional>
@@ -12,15 +13,15 @@
 
 namespace k3d::agent::decision {
 
-/// f1..f8 with the ball where the present pass will end and K3 alone as receiver, so that f4 is its
-/// squared way; f9 is the squared distance to the keeper who gets the present pass.
-inline constexpr std::array<std::string_view, 9> kOpenPlaceNames{"f1", "f2", "f3", "f4", "f5",
-                                                                 "f6", "f7", "f8", "f9"};
-
+/// Sees f1..f9 with the ball where the present pass will end and K3 alone as receiver: f4 is K3's squared
+/// way, f9 the squared distance to who gets the present pass.
 class OpenPlace {
   public:
-    /// Throws network::NetworkError for a file that is missing, damaged or of another shape.
+    /// A network of its own. Throws network::NetworkError for a file that is missing, damaged or of
+    /// another shape than f1..f9 and one output.
     OpenPlace(const std::string& file, std::vector<Vec2> grid);
+    /// The last output of a network over f1..f9: policy.h has networks that value K1's targets too.
+    OpenPlace(network::Network net, std::vector<Vec2> grid);
 
     /// The place of lowest cost, the first of equals; the one chosen before stays unless another is
     /// better by kKeep of its absolute cost. `situation` has the receiver of the present pass in
@@ -34,6 +35,7 @@ class OpenPlace {
 
     network::Network net_;
     network::State state_;
+    std::vector<double> outputs_;
     std::vector<Vec2> grid_;
     std::optional<Vec2> before_;
 };

@@ -32,12 +32,17 @@ std::vector<Vec2> target_grid(double area, const EvaluationConfig& c) {
 
 Policy load_policy(const std::string& name) {
     if (name == "handcoded") return {};
-    if (name == "still") return {Policy::Kind::Still, std::nullopt};
-    if (name == "hold") return {Policy::Kind::Hold, std::nullopt};
-    if (name == "random") return {Policy::Kind::Random, std::nullopt};
+    if (name == "still") return {.kind = Policy::Kind::Still};
+    if (name == "hold") return {.kind = Policy::Kind::Hold};
+    if (name == "random") return {.kind = Policy::Kind::Random};
     network::Network net(network::load_file(name), name);
-    network::require_shape(net, kFeatureNames, 1, name);
-    return {Policy::Kind::Evaluate, std::move(net)};
+    const bool values_places = net.definition().outputs.size() == 2;
+    if (values_places) {
+        network::require_shape(net, kPlaceFeatureNames, 2, name);
+    } else {
+        network::require_shape(net, kFeatureNames, 1, name);
+    }
+    return {Policy::Kind::Evaluate, std::move(net), values_places};
 }
 
 Target best_target(const std::vector<Vec2>& grid, const PassSituation& situation,
@@ -49,13 +54,17 @@ Target best_target(const std::vector<Vec2>& grid, const PassSituation& situation
     std::vector<Scored>& all = scored != nullptr ? *scored : own;
     all.clear();
     const auto cost_at = [&](const Vec2& point) {
-        const Features f = features_at(point, situation, config.ideal_pass_m);
-        if (!policy.cost) return hand_coded_cost(f, config);
+        if (!policy.cost) {
+            return hand_coded_cost(features_at(point, situation, config.ideal_pass_m), config);
+        }
         // Each point is judged on its own: recurrent links of a network start from zero.
         policy.cost->start(state);
-        double cost = 0.0;
-        policy.cost->evaluate(f, state, std::span(&cost, 1));
-        return cost;
+        const PlaceFeatures f = place_features_at(point, situation, config.ideal_pass_m);
+        const network::Definition& net = policy.cost->definition();
+        std::array<double, 2> costs{};
+        policy.cost->evaluate(std::span(f).first(net.inputs.size()), state,
+                              std::span(costs).first(net.outputs.size()));
+        return costs.front();
     };
     std::optional<Target> best;
     std::optional<Target> kept;

@@ -57,7 +57,7 @@ TEST(Reproduction, RowsFollowTheBudget) {
     budget.slow_takers = false;
     const auto tables = tables_of("table1", budget);
     ASSERT_EQ(tables.size(), 1u);
-    ASSERT_EQ(tables[0].rows.size(), 3u + 4u);
+    ASSERT_EQ(tables[0].rows.size(), 3u + 7u);
     EXPECT_EQ(tables[0].rows[2].key, "keepaway_neat-3");
     EXPECT_EQ(tables[0].rows[2].run, 3);
     EXPECT_EQ(tables[0].task.taker, "greedy");
@@ -76,16 +76,24 @@ TEST(Reproduction, EverySearchHasItsFirstRunBeforeAnyHasItsSecond) {
                                             "keepaway_neat-2", "keepaway_linear-3"));
 }
 
-TEST(Reproduction, TheNetworkThatSearchesStartFromPlaysToo) {
+TEST(Reproduction, NetworksMadeByHandPlayToo) {
     Budget budget;
-    budget.start = "/some where/start.json";
+    budget.start = {"/some where/targets.json", "/some where/places.json", "/some where/both.json"};
+    const auto file_of = [](const TableSpec& table, const std::string& key) {
+        const auto row = std::find_if(table.rows.begin(), table.rows.end(),
+                                      [&](const RowSpec& r) { return r.key == key; });
+        return row == table.rows.end() ? "no row" : row->network_path + "=" + row->network;
+    };
     for (const TableSpec& table : tables_of("table1", budget)) {
         if (table.name == "table1-slow") continue;
-        const auto row = std::find_if(table.rows.begin(), table.rows.end(),
-                                      [](const RowSpec& r) { return r.key == "start"; });
-        ASSERT_NE(row, table.rows.end()) << table.name;
-        EXPECT_EQ(row->network, "/some where/start.json");
+        EXPECT_EQ(file_of(table, "start"), "keeper.policy=/some where/targets.json");
+        EXPECT_EQ(file_of(table, "start-places"), "keeper.policy=/some where/both.json");
+        EXPECT_EQ(file_of(table, "algorithm2-places"), "keeper.open=/some where/places.json");
     }
+    budget.baselines = "start";
+    const TableSpec table = tables_of("table1", budget).front();
+    EXPECT_EQ(file_of(table, "start-places"), "no row");
+    EXPECT_EQ(file_of(table, "algorithm2"), "keeper.policy=") << "the reference always plays";
 }
 
 TEST(Reproduction, AChampionLearnedBeforePlaysToo) {
@@ -129,6 +137,8 @@ TEST(Reproduction, MistakesAreNamed) {
     EXPECT_THAT(fault("settings = \"somebody:x=1\"\n"), testing::HasSubstr("somebody:x=1"));
     EXPECT_THAT(fault("takers = \"greedy lazy\"\n"), testing::HasSubstr("lazy"));
     EXPECT_THAT(fault("foreign_takers = \"agent {prot}\"\n"), testing::HasSubstr("prot"));
+    EXPECT_THAT(fault("baselines = \"start sitl\"\n"), testing::HasSubstr("sitl"));
+    EXPECT_THAT(fault("champion_search = \"kick\"\n"), testing::HasSubstr("kick"));
     EXPECT_THAT(fault("sides = \"ten\"\n"), testing::HasSubstr("ten"));
     EXPECT_EQ(fault("sides = \"10.5\"\n"), "none");
     std::filesystem::remove(file);

@@ -9,6 +9,7 @@
 #include <fstream>
 
 #include "agent/decision/keepaway/policy.h"
+#include "agent/decision/keepaway/scene.h"
 
 namespace k3d::agent::decision {
 namespace {
@@ -19,9 +20,9 @@ class OpenPlaceTest : public testing::Test {
 
     /// A weighted sum of some of the features.
     OpenPlace weighted(const std::vector<std::pair<std::string, double>>& weights,
-                       std::size_t inputs = kOpenPlaceNames.size()) const {
+                       std::size_t inputs = kPlaceFeatureNames.size()) const {
         network::Definition d;
-        for (std::size_t i = 0; i < inputs; ++i) d.inputs.push_back({std::string(kOpenPlaceNames[i])});
+        for (std::size_t i = 0; i < inputs; ++i) d.inputs.push_back({std::string(kPlaceFeatureNames[i])});
         d.outputs = {"cost"};
         d.nodes = {{"cost", network::Activation::Linear, 0.0}};
         for (const auto& [name, weight] : weights) d.links.push_back({name, "cost", weight});
@@ -55,6 +56,16 @@ TEST_F(OpenPlaceTest, KeepsAPlaceThatIsHardlyWorse) {
 TEST_F(OpenPlaceTest, OtherInputsAreRefused) {
     EXPECT_THROW(weighted({{"f1", 1.0}}, 8), network::NetworkError);
     EXPECT_THROW(OpenPlace(file_ + ".missing", {Vec2::Zero()}), network::NetworkError);
+}
+
+TEST_F(OpenPlaceTest, TheLastOutputOfAPolicysNetworkIsK3s) {
+    std::ofstream(file_) << network::to_json(test::prefers_both({"f4", 1.0}, {"f9", 1.0}));
+    const Policy policy = load_policy(file_);
+    ASSERT_TRUE(policy.values_places);
+    const auto grid = target_grid(10.0, {});
+    const Room all = [](const Vec2&) { return 1.0; };
+    EXPECT_EQ(best_target(grid, situation_, policy, {}, all, {}, 0.0).point, Vec2(3.0, -2.0));
+    EXPECT_EQ(OpenPlace(*policy.cost, grid).choose(situation_, 6.0), Vec2(0.0, 1.0));
 }
 
 }  // namespace

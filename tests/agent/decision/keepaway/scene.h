@@ -44,6 +44,18 @@ inline network::Definition prefers(std::size_t feature, double weight) {
     return d;
 }
 
+/// The cost of K1's targets and that of K3's places, each one feature of f1..f9 times a weight.
+inline network::Definition prefers_both(const std::pair<std::string, double>& target,
+                                        const std::pair<std::string, double>& place) {
+    network::Definition d;
+    for (const auto name : kPlaceFeatureNames) d.inputs.push_back({std::string(name)});
+    d.outputs = {"cost", "place"};
+    d.nodes = {{"cost", network::Activation::Linear, 0.0},
+               {"place", network::Activation::Linear, 0.0}};
+    d.links = {{target.first, "cost", target.second}, {place.first, "place", place.second}};
+    return d;
+}
+
 /// A kick from 0.2 m straight behind the ball, possible within 0.4 m, as far as wanted.
 inline skills::KickGeometry simple_kick() {
     return {1,

@@ -3,6 +3,10 @@
 #include "agent/decision/keepaway/keeper.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
 
 #include "agent/decision/keepaway/scene.h"
 #include "common/clock/clock.h"
@@ -197,6 +201,18 @@ TEST(Keeper, K3StaysHomeWhereItWasBorn) {
     EXPECT_EQ(*d.account.target, born.position);
     ASSERT_TRUE(is_walk(d.request.body));
     EXPECT_GT(std::get<motion::Walk>(d.request.body).forward, 0.2);
+}
+
+TEST(Keeper, K3GoesWhereThePolicysNetworkWantsIt) {
+    // K3's place: as near as can be to where the pass goes, (2, -3).
+    const std::string file = testing::TempDir() + "/k3d-places-" + std::to_string(getpid()) + ".json";
+    std::ofstream(file) << network::to_json(test::prefers_both({"f3", 1.0}, {"f9", 1.0}));
+    const std::vector<talk::Report> order{says(1, true, Vec2(2.0, -3.0), 2, 10.0)};
+    Keeper k = keeper(file);
+    const Decision d = settle(k, away({{1.0, -2.0}, 0.0}), {}, order);
+    EXPECT_EQ(d.account.skill, "get_open");
+    EXPECT_EQ(*d.account.target, Vec2(2.0, -3.0));
+    std::filesystem::remove(file);
 }
 
 TEST(Keeper, WalksOnlyInsideTheArea) {

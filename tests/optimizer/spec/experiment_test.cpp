@@ -11,6 +11,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "common/config/config.h"
 #include "optimizer/algorithm/algorithm.h"
 
 namespace k3d::optimizer::spec {
@@ -179,14 +180,17 @@ TEST(Experiment, LearnedNetworksTakeWhatTheirSearchStartedFrom) {
         for (const network::Input& input : net.inputs) names.push_back(input.name);
         return names;
     };
-    const auto keepaway = network::load_file(folder / "networks/evaluation_linear.json");
-    const auto possession = network::load_file(folder / "networks/possession_linear.json");
     int count = 0;
     for (const auto& entry : std::filesystem::recursive_directory_iterator(folder / "results")) {
         if (entry.path().extension() != ".json") continue;
-        const std::string file = entry.path().filename().string();
+        const std::string file = entry.path().filename().string();  // SEARCH-RUN.json
+        const std::string search = file.substr(0, file.rfind('-'));
+        std::ifstream in(folder / (search + ".toml"));
+        const std::string toml{std::istreambuf_iterator<char>(in), {}};
+        const auto start_file = config::text_at(toml, "network.start");
+        ASSERT_TRUE(start_file) << file;
+        const auto start = network::load_file(folder / *start_file);
         const network::Network learned(network::load_file(entry.path()), file);
-        const auto& start = file.starts_with("possession") ? possession : keepaway;
         EXPECT_NO_THROW(network::require_shape(learned, names_of(start), start.outputs.size(), file));
         ++count;
     }

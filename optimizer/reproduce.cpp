@@ -117,7 +117,7 @@ Found find_champion(const Work& work) {
         Found found = found_in(work.search_folder(name, run));
         if (!best || found.champion->score.mean > best->champion->score.mean) best = std::move(found);
     }
-    return best.value();  // require_champion() has seen to it
+    return best.value();  // check_rows() has seen to it
 }
 
 RowPlayer player_of(const Work& work, const spec::RowSpec& row) {
@@ -185,24 +185,8 @@ report::Reproduction gather(const Work& work) {
     return out;
 }
 
-/// Throws if rows want a champion that the budget does not search: before anything is learned.
-void require_champion(const Work& work) {
-    const std::string& name = work.budget.champion_search;
-    if (!work.budget.champion.empty() || work.budget.searches.at(name).runs > 0) return;
-    for (const std::string& part : work.parts) {
-        for (const spec::TableSpec& table : spec::tables_of(part, work.budget)) {
-            const bool wants = std::any_of(table.rows.begin(), table.rows.end(),
-                                           [](const spec::RowSpec& row) { return row.takes_best; });
-            if (!wants) continue;
-            throw std::runtime_error(fmt::format(
-                "{} wants the champion of {}, of which the budget has no run", table.name, name));
-        }
-    }
-}
-
 /// All searches that are needed, then each part's tables; false if the user wants to stop.
 bool do_parts(Work& work) {
-    require_champion(work);
     for (const auto& [search, run] : spec::runs_in_order(work.budget)) {
         if (is_needed(work, *search) && !learn(work, *search, run)) return false;
     }
@@ -214,19 +198,34 @@ bool do_parts(Work& work) {
     return true;
 }
 
-/// Throws network::NetworkError if a network that is to play is missing, damaged or of a shape that
-/// keepers do not take: before anything is learned.
-void check_networks(const spec::Budget& budget) {
-    const network::Definition targets = network::load_file(budget.start.targets);
-    const network::Definition both = network::load_file(budget.start.both);
-    network::load_file(budget.start.places);
-    if (budget.champion.empty()) return;
+/// Throws network::NetworkError if the champion of a file is damaged or of a shape that keepers do not take.
+void check_champion_file(const spec::Budget& budget) {
     const network::Network champion(network::load_file(budget.champion), budget.champion);
+    const network::Definition both = network::load_file(budget.start.both);
     const bool values_places = champion.definition().outputs.size() == both.outputs.size();
-    const network::Definition& model = values_places ? both : targets;
+    const network::Definition model =
+        values_places ? both : network::load_file(budget.start.targets);
     std::vector<std::string_view> inputs;
     for (const network::Input& input : model.inputs) inputs.push_back(input.name);
     network::require_shape(champion, inputs, model.outputs.size(), budget.champion);
+}
+
+/// Before anything is learned: throws network::NetworkError if a network that is to play is missing or
+/// damaged, ConfigError if rows want a champion that the budget does not search.
+void check_rows(const spec::Budget& budget, const std::vector<std::string>& parts) {
+    if (!budget.champion.empty()) check_champion_file(budget);
+    const bool searched = budget.searches.at(budget.champion_search).runs > 0;
+    for (const std::string& part : parts) {
+        for (const spec::TableSpec& table : spec::tables_of(part, budget)) {
+            for (const spec::RowSpec& row : table.rows) {
+                if (!row.network.empty()) network::load_file(row.network);
+                if (!row.takes_best || searched) continue;
+                throw config::ConfigError(
+                    fmt::format("{} wants the champion of {}, of which the budget has no run",
+                                table.name, budget.champion_search));
+            }
+        }
+    }
 }
 
 spec::Budget budget_of(const Flags& flags) {
@@ -242,7 +241,7 @@ spec::Budget budget_of(const Flags& flags) {
     const std::string networks = flags.experiments + "/networks/";
     budget.start = {networks + "evaluation_linear.json", networks + "open_linear.json",
                     networks + "getopen_linear.json"};
-    check_networks(budget);
+    check_rows(budget, parts_for(flags.part));
     return budget;
 }
 

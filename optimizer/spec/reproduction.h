@@ -86,7 +86,7 @@ struct RowSpec {
     std::string network_path = "keeper.policy";  ///< setting that takes this file
     std::string search;    ///< name of the search whose champion plays; empty: `settings` alone
     int run = 1;
-    bool takes_best = false;  ///< the best of the searches' champions instead, by validation
+    bool takes_best = false;  ///< the champion of the budget's champion_search instead
 };
 
 /// Test episodes on the same seeds for every row.

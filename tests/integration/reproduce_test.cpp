@@ -83,6 +83,9 @@ TEST_F(Reproduce, MistakesAreNamed) {
     other.insert(other.end(), {"--champion", folder + "open_linear.json"});
     EXPECT_EQ(run(other, "said"), 2) << content("said");
     EXPECT_THAT(content("said"), HasSubstr("open_linear.json"));
+    EXPECT_EQ(run(words("transfer"), "said"), 2);
+    EXPECT_THAT(content("said"), HasSubstr("transfer-4v3 wants the champion of keepaway_linear_getopen"));
+    EXPECT_FALSE(std::filesystem::exists(path("out"))) << "nothing was begun";
     bad[3] = "huge";
     EXPECT_EQ(run(bad, "said"), 2);
     EXPECT_THAT(content("said"), HasSubstr("reproduce/huge.toml"));

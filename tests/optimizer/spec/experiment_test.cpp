@@ -197,6 +197,20 @@ TEST(Experiment, LearnedNetworksTakeWhatTheirSearchStartedFrom) {
     EXPECT_GE(count, 1);
 }
 
+TEST(Experiment, TheStartOfBothIsTheStartsOfEach) {
+    const std::string folder = K3D_SOURCE_DIR "/optimizer/experiments/networks/";
+    const network::Definition targets = network::load_file(folder + "evaluation_linear.json");
+    const network::Definition places = network::load_file(folder + "open_linear.json");
+    std::vector<network::Link> links = targets.links;
+    for (network::Link link : places.links) {
+        link.to = "place";
+        links.push_back(link);
+    }
+    const network::Definition both = network::load_file(folder + "getopen_linear.json");
+    EXPECT_EQ(both.inputs, places.inputs);
+    EXPECT_EQ(both.links, links);
+}
+
 RC_GTEST_PROP(Experiment, AnyDamageIsReadOrNamed, ()) {
     std::string toml = std::string(kHold) + "[task]\nkeepers = 3\n[algorithm]\nname = \"cmaes\"\n";
     const auto count = *rc::gen::inRange(1, 6);

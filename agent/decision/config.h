@@ -71,7 +71,7 @@ struct KeeperConfig {
         f.number("commit_margin", commit_margin, {0.0, 1.0}, "",
                  "the same once a taker is within hold_threshold: no time to change one's mind");
         f.number("area_margin", area_margin, {0.0, 2.0}, "m",
-                 "keepers walk only to places this far inside the boundary");
+                 "K2 and K3 walk only to places this far inside the boundary");
         f.number("stance_margin", stance_margin, {0.0, 2.0}, "m",
                  "no targets for which K1 would have to stand nearer to the boundary than this");
         f.number("landing_margin", landing_margin, {-5.0, 5.0}, "m",

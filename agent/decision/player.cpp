@@ -26,8 +26,15 @@ Decision Player::decide(const world::Beliefs& b, const motion::State& body,
     const bool keeps = role_ == "keeper" || (role_ == "auto" && b.game.side == wire::Side::Left);
     const bool plays = b.game.play_mode == "PlayOn" && b.game.side != wire::Side::None;
     if (plays && role_ == "drill") return drill_.decide(b, body);
-    if (plays)
+    if (plays) {
+        played_ = true;
         return keeps ? keeper_.decide(b, body, reports) : taker_.decide(b, body);
+    }
+    if (played_ && b.game.play_mode == "BeforeKickOff") {
+        played_ = false;
+        keeper_.forget();
+        taker_.forget();
+    }
     Decision d;
     d.request.head = skills::look(b, body, false, skills_);
     d.account.role = "idle";

@@ -27,12 +27,14 @@ class Player {
     /// Throws network::NetworkError for a policy or network that cannot be used.
     Player(const PlayerSettings& settings, const skills::KickGeometry& kick);
 
-    /// Keeps, takes or drills while the game is on; otherwise stands and looks around.
+    /// Keeps, takes or drills while the game is on; otherwise stands and looks around. What keeper and
+    /// taker remember of a match goes when the next begins.
     Decision decide(const world::Beliefs& beliefs, const motion::State& body,
                     std::span<const talk::Report> reports);
 
   private:
     std::string role_;
+    bool played_ = false;  ///< in this match
     skills::SkillConfig skills_;
     Keeper keeper_;
     Taker taker_;

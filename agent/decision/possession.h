@@ -26,7 +26,7 @@ struct PossessionInput {
     double pressure = 0.0;           ///< 0..1, see skills::KickSituation
     bool may_kick = false;
     bool committed = false;          ///< see skills::KickSituation
-    double half_area = 1e9;          ///< walk only to places with |x|, |y| below this, m
+    double half_area = 1e9;          ///< INTERCEPT and GO_TO_FINISH keep |x|, |y| below this, m
     std::span<const skills::Obstacle> robots;
 };
 

@@ -129,6 +129,18 @@ Decision Keeper::decide(const world::Beliefs& b, const motion::State& body,
     return d;
 }
 
+void Keeper::forget() {
+    roles_ = {};
+    if (was_k1_) possession_.abort();
+    was_k1_ = false;
+    go_to_.reset();
+    if (open_) open_->forget();
+    home_.reset();
+    target_.reset();
+    swing_.reset();
+    k2_ = 0;
+}
+
 motion::BodyRequest Keeper::act(const world::Beliefs& b, const motion::State& body,
                                 const Assignment& part, Account& account) {
     if (body.activity == motion::Activity::Kicking && swing_) {
@@ -223,7 +235,8 @@ void Keeper::choose_target(const world::Beliefs& b, Account& account) {
     targets_in_time(grid_, std::ref(room), haste, in_time_);
     const auto& targets = in_time_.empty() ? grid_ : in_time_;
     if (policy_.kind == Policy::Kind::Random) {
-        // Among the same targets as any other policy: it differs by the choice alone.
+        // Among the same targets as any other policy: it differs by the choice alone. (If none is in time,
+        // the others take the roomiest, this one any.)
         const bool stands =
             target_ && std::find(targets.begin(), targets.end(), *target_) != targets.end();
         const int count = static_cast<int>(targets.size());

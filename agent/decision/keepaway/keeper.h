@@ -45,6 +45,9 @@ class Keeper {
     Decision decide(const world::Beliefs& beliefs, const motion::State& body,
                     std::span<const talk::Report> reports);
 
+    /// Role, home, target and swing belong to the match that is over. Allocates nothing.
+    void forget();
+
   private:
     motion::BodyRequest act(const world::Beliefs& beliefs, const motion::State& body,
                             const Assignment& part, Account& account);

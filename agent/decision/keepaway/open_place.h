@@ -24,9 +24,13 @@ class OpenPlace {
     OpenPlace(network::Network net, std::vector<Vec2> grid);
 
     /// The place of lowest cost, the first of equals; the one chosen before stays unless another is
-    /// better by kKeep of its absolute cost. `situation` has the receiver of the present pass in
+    /// better by kKeep of its absolute cost, so that a network's bias counts here, as it does not for K1,
+    /// who compares ranks: it sets how readily K3 moves. `situation` has the receiver of the present pass in
     /// `ball`, K3 in `receivers`.
     Vec2 choose(const PassSituation& situation, double ideal_pass);
+
+    /// No place has been chosen before: a new match.
+    void forget() { before_.reset(); }
 
     static constexpr double kKeep = 0.1;
 

@@ -27,7 +27,7 @@ struct Policy {
         Evaluate,  ///< K1 kicks at the target of lowest cost
         Still,     ///< nobody moves: the baseline
         Hold,      ///< K1 keeps the ball as long as it can, and never kicks
-        Random,    ///< K1 kicks at a random target, drawn anew for each possession
+        Random,    ///< K1 kicks at a random one of the possible targets, another when it is none any more
     };
     Kind kind = Kind::Evaluate;
     std::optional<network::Network> cost = {};  ///< Evaluate: hand-coded if absent

@@ -59,6 +59,13 @@ Taker::Taker(const TakerConfig& config, const skills::SkillConfig& skills, Rando
     robots_.reserve(22);
 }
 
+void Taker::forget() {
+    watch_ = {};
+    go_to_.reset();
+    followed_ = 0;
+    chaser_ = 0;
+}
+
 Decision Taker::decide(const world::Beliefs& b, const motion::State& body) {
     Decision d;
     d.request.head = skills::look(b, body, false, skills_);

@@ -39,6 +39,9 @@ class Taker {
 
     Decision decide(const world::Beliefs& beliefs, const motion::State& body);
 
+    /// Who is followed, who chases and who has the ball is not known yet: a new match.
+    void forget();
+
     int followed() const { return followed_; }  ///< unum of the keeper, 0 = none
 
   private:

@@ -203,6 +203,15 @@ TEST(Keeper, K3StaysHomeWhereItWasBorn) {
     EXPECT_GT(std::get<motion::Walk>(d.request.body).forward, 0.2);
 }
 
+TEST(Keeper, ANewMatchHasANewHome) {
+    Keeper k = keeper();
+    settle(k, away({{1.0, -2.0}, 0.0}));
+    k.forget();
+    settle(k, away({{2.0, 1.0}, 0.0}));
+    const Decision d = settle(k, away({{3.0, -2.0}, kPi}));
+    EXPECT_EQ(*d.account.target, Vec2(2.0, 1.0));
+}
+
 TEST(Keeper, K3GoesWhereThePolicysNetworkWantsIt) {
     // K3's place: as near as can be to where the pass goes, (2, -3).
     const std::string file = testing::TempDir() + "/k3d-places-" + std::to_string(getpid()) + ".json";

@@ -145,7 +145,9 @@ int replay(const Options& options) {
 void add_replay(CLI::App& app, Options& options) {
     CLI::App* command = app.add_subcommand(
         "replay", "re-simulates a recording and names the first cycle that differs");
-    command->add_option("file", options.replayed, "what --record wrote")->required();
+    command->add_option("file", options.replayed, "what --record wrote")
+        ->required()
+        ->check(CLI::ExistingFile);
     command->add_option("--results", options.files.results,
                         "file to append one JSON line per episode to");
     command->add_option("--monitor-log", options.files.monitor_log,

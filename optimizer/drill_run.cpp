@@ -12,6 +12,7 @@
 #include "common/log/log.h"
 #include "optimizer/backend/log_folder.h"
 #include "optimizer/drill/play.h"
+#include "optimizer/drill/stage.h"
 #include "optimizer/report/drill_table.h"
 #include "optimizer/report/results_file.h"
 #include "optimizer/spec/drill_spec.h"
@@ -56,6 +57,12 @@ spec::DrillSpec resolve(config::CommandLine line, const std::string& name) {
     return spec;
 }
 
+/// What server or agent refuse is a mistake of whoever called this program.
+int exit_code_of(const std::runtime_error& error) {
+    const auto* failure = dynamic_cast<const drill::DrillFailure*>(&error);
+    return failure != nullptr && failure->refused ? config::kExitUsage : config::kExitFailed;
+}
+
 int run(const spec::DrillSpec& spec) {
     backend::LogFolder logs(spec.log_folder);
     report::ResultsFile lines(spec.results);
@@ -82,7 +89,7 @@ int run(const spec::DrillSpec& spec) {
                                      error.what(), folder)
                       << std::endl;
             // What fails in the first run fails in all: a flag, a file, a port.
-            if (results.empty()) return config::kExitFailed;
+            if (results.empty()) return exit_code_of(error);
         }
     }
     lines.close();

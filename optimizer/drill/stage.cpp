@@ -7,6 +7,7 @@
 #include <charconv>
 #include <filesystem>
 
+#include "common/config/command_line.h"
 #include "optimizer/episode/collect.h"
 #include "optimizer/episode/commands.h"
 #include "optimizer/spec/settings.h"
@@ -19,6 +20,7 @@ constexpr double kSeatPatience = 20.0;  // s, simulated, for the robot to appear
 constexpr double kStandUp = 1.0;        // s from straight legs to the stance
 constexpr double kSettle = 2.5;         // s to find out where one is
 constexpr std::chrono::seconds kEndPatience{10};
+constexpr const char* kServerLog = "/server.log";
 constexpr const char* kAgentLog = "/agent.log";
 constexpr const char* kSecondLog = "/second.log";
 
@@ -41,6 +43,10 @@ int port_in(const std::map<std::string, std::string>& ready, const std::string& 
 std::string pace_of(const spec::DrillSpec& spec, int http_port) {
     if (!spec.pace.empty()) return spec.pace;
     return http_port >= 0 ? "sync" : "fast";
+}
+
+bool is_refusal(const process::Exit& exit) {
+    return !exit.signalled && exit.code == config::kExitUsage;
 }
 
 void add_settings(std::vector<std::string>& words, const std::vector<std::string>& settings) {
@@ -95,11 +101,21 @@ void Stage::start_server(const spec::DrillSpec& spec, std::uint64_t seed, int ht
     if (!agent_socket_.empty()) words.insert(words.end(), {"--agent-socket", agent_socket_});
     host_ = "127.0.0.1";
     server_ = std::make_unique<process::Child>(
-        process::Spawn{words, folder_ + "/server.log", true, batch_});
-    const auto ready = server_->wait_ready(patience_);
+        process::Spawn{words, folder_ + kServerLog, true, batch_});
+    const auto ready = wait_ready();
     agent_port_ = port_in(ready, "agent");
     monitor_port_ = port_in(ready, "monitor");
     if (http_port >= 0) page_port_ = port_in(ready, "http");
+}
+
+std::map<std::string, std::string> Stage::wait_ready() {
+    try {
+        return server_->wait_ready(patience_);
+    } catch (const process::ProcessError&) {
+        const auto exit = server_->poll();
+        if (!exit || !is_refusal(*exit)) throw;
+        throw DrillFailure(episode::describe_end("server", *exit, folder_ + kServerLog), true);
+    }
 }
 
 std::unique_ptr<process::Child> Stage::start_agent(const spec::DrillSpec& spec, std::uint64_t seed,
@@ -220,16 +236,18 @@ void Stage::finish() {
 /// Whoever ended first is the cause.
 void Stage::fail(const std::string& what) {
     std::string why = what;
+    bool refused = false;
     const auto add_end = [&](process::Child* child, const char* name, const char* log) {
         if (child == nullptr) return;
         if (const auto exit = child->wait(std::chrono::milliseconds(200))) {
             why += "; " + episode::describe_end(name, *exit, folder_ + log);
+            refused = refused || is_refusal(*exit);
         }
     };
     add_end(agent_.get(), "agent", kAgentLog);
     add_end(second_.get(), "second agent", kSecondLog);
-    add_end(server_.get(), "server", "/server.log");
-    throw DrillFailure(why);
+    add_end(server_.get(), "server", kServerLog);
+    throw DrillFailure(why, refused);
 }
 
 }  // namespace k3d::optimizer::drill

@@ -9,6 +9,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -27,7 +28,10 @@ inline constexpr double kFrameSeconds = 0.04;  ///< from one frame of the monito
 
 /// Why a drill could not be carried out; one line.
 class DrillFailure : public std::runtime_error {
-    using std::runtime_error::runtime_error;
+  public:
+    explicit DrillFailure(const std::string& what, bool is_refused = false)
+        : std::runtime_error(what), refused(is_refused) {}
+    bool refused;  ///< server or agent took their settings for a mistake: so they do in every run
 };
 
 class Stage {
@@ -65,6 +69,7 @@ class Stage {
 
   private:
     void start_server(const spec::DrillSpec& spec, std::uint64_t seed, int http_port, int robots);
+    std::map<std::string, std::string> wait_ready();
     std::unique_ptr<process::Child> start_agent(const spec::DrillSpec& spec, std::uint64_t seed,
                                                 int unum, const std::vector<std::string>& settings);
     void receive();

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "optimizer/spec/figures.h"
 #include "optimizer/spec/match_spec.h"
 #include "optimizer/spec/parameter_tree.h"
 #include "optimizer/spec/settings.h"
@@ -124,6 +125,17 @@ void check_network(Experiment& e, const AgentFields& fields, const ReadFile& rea
     }
 }
 
+/// A figure that no result has would fail every episode, and only after it has been played.
+void check_fitness(const TaskSpec& task, Faults& faults) {
+    if (task.fitness.empty()) return;
+    const std::string figure = task.fitness.substr(task.fitness.starts_with('-') ? 1 : 0);
+    const std::vector<std::string> known = figures_of(task.name);
+    if (std::find(known.begin(), known.end(), figure) != known.end()) return;
+    faults.add("task.fitness", fmt::format("is \"{}\", but a result of {} has {}; with - in front less "
+                                           "is better",
+                                           task.fitness, task.name, fmt::join(known, ", ")));
+}
+
 void check_search(const Experiment& e, Faults& faults) {
     if (!is_name(e.name)) {
         faults.add("name", fmt::format("is \"{}\", wanted are letters, digits, _ - .", e.name));
@@ -135,6 +147,7 @@ void check_search(const Experiment& e, Faults& faults) {
     const bool all_frozen = std::all_of(e.parameters.begin(), e.parameters.end(),
                                         [](const Parameter& p) { return p.frozen; });
     if (!network && all_frozen) faults.add("parameters", "names nothing that is to be tuned");
+    check_fitness(e.task, faults);
     const bool match = drill_of(e.task.name).empty();
     if (match && !e.task.drill.empty()) {
         faults.add("task.drill", "is for drills, but the task is " + e.task.name);

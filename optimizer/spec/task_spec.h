@@ -44,7 +44,7 @@ struct TaskSpec {
     void describe(config::Fields& f) {
         f.text("name", name, kTaskNames, "what is played");
         f.text("fitness", fitness, {},
-               "figure of the episode that is maximised; empty: the task's own");
+               "figure of the episode that is maximised, - in front: minimised; empty: the task's own");
         f.number("worst", worst, {-1e9, 1e9}, "",
                  "fitness of an episode that gave no valid result in all its tries");
         f.text("tuned", tuned, {"keeper", "taker", "agent"},

@@ -100,8 +100,11 @@ TEST_F(Drills, WhatCannotBeDrilledIsNamed) {
     EXPECT_THAT(content("said"), HasSubstr("walk_km"));
     EXPECT_EQ(run({"walk", "--agent-port", "3100"}), 2);
     EXPECT_THAT(content("said"), HasSubstr("server_port"));
-    EXPECT_EQ(run({"walk", "--set", "agent:motion.wlak=3"}), 1);
+    EXPECT_EQ(run({"walk", "--set", "agent:motion.wlak=3"}), 2);
     EXPECT_THAT(content("said"), HasSubstr("wlak"));
+    EXPECT_EQ(run({"walk", "--set", "server:physics.steper=fast"}), 2);
+    EXPECT_THAT(content("said"), HasSubstr("steper"));
+    EXPECT_EQ(run({"walk", "--set", "agent_program=/bin/false"}), 1) << content("said");
 }
 
 }  // namespace

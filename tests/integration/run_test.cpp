@@ -118,6 +118,16 @@ TEST_F(Runs, ADrillIsATask) {
     EXPECT_TRUE(std::filesystem::exists(path("a/report/report.html")));
 }
 
+TEST_F(Runs, WhatADrillsProgramsRefuseEndsTheRunAtOnce) {
+    const std::string walk = K3D_SOURCE_DIR "/optimizer/experiments/walk_forward.toml";
+    for (const char* mistake : {"agent:motion.wlak=3", "server:physics.steper=fast"}) {
+        const std::string settings = std::string("task.settings=") + mistake;
+        EXPECT_EQ(run({"run", walk, "--run", path(mistake), "--set", settings}, "said"), 2);
+        EXPECT_THAT(content("said"), HasSubstr("k3d-optimizer: episode train/0/"));
+        EXPECT_THAT(content("said"), HasSubstr("unknown key"));
+    }
+}
+
 TEST_F(Runs, MistakesAreNamed) {
     write("bad.toml", "name = \"x\"\n[parameters.keeper.hold_treshold]\nlower = 1.0\n");
     EXPECT_EQ(run({"run", path("bad.toml"), "--run", path("x")}, "said"), 2);

@@ -4,7 +4,11 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
+
 #include "optimizer/drill/scenarios.h"
+#include "optimizer/spec/figures.h"
+#include "optimizer/spec/task_spec.h"
 
 namespace k3d::optimizer::drill {
 namespace {
@@ -65,6 +69,40 @@ TEST(DrillPlan, FinishErrorsAreTakenAtTheirTimes) {
     EXPECT_NEAR(out.metrics.at("finish_error_0.5s_m"), 0.35, 1e-9) << "at 0.52 s";
     EXPECT_EQ(out.metrics.count("finish_error_1.0s_m"), 0U);
     EXPECT_GT(out.metrics.at("finish_loss"), 0.0);
+}
+
+/// A ball that lies, is kicked, rolls for four seconds and lies again, watched all the time by a robot
+/// that is on its way to one target and then to another.
+std::vector<Moment> kick_and_roll() {
+    std::vector<Moment> moments;
+    double x = 0.2;
+    for (int i = 0; i <= 150; ++i) {
+        const bool rolls = i > 10 && i <= 110;
+        if (rolls) x += 0.08;
+        Moment m = moment(0.04 * i, 1.0, {x, 0.0});
+        m.ball_velocity = {rolls ? 2.0 : 0.0, 0.0};
+        m.belief->upright = true;
+        m.belief->ball = Belief::Ball{{x, 0.0}, {8.0, 0.0}, 0.0};
+        m.belief->target = Vec2(i < 75 ? 3.0 : 5.0, 0.0);
+        moments.push_back(m);
+    }
+    return moments;
+}
+
+TEST(DrillPlan, MeasuresTheFiguresThatATaskIsKnownFor) {
+    const std::vector<Moment> moments = kick_and_roll();
+    for (const std::string& task : spec::kTaskNames) {
+        spec::DrillSpec spec;
+        spec.name = spec::drill_of(task);
+        if (spec.name.empty()) continue;
+        RandomStream random(spec.seed, spec.name, "drill");
+        Measured measured = plan(spec, 0, random).measure(moments);
+        add_estimate_errors(moments, measured);
+        std::set<std::string> names{"hold_time_s", "attempts", "kicks", "passes_completed", "falls",
+                                    "simulated_s"};
+        for (const auto& [name, value] : measured.metrics) names.insert(name);
+        EXPECT_EQ(std::vector(names.begin(), names.end()), spec::figures_of(task)) << task;
+    }
 }
 
 TEST(BallRolls, WithOddSeedsASecondRobotKicksTheBall) {

@@ -96,6 +96,11 @@ TEST(Experiment, NamesFileLineAndValueOfEveryFault) {
         {"name = \"a\"\n[parameters.keeper.hold]\nfrozen = true\n",
          "exp.toml:2: \"parameters\" names nothing that is to be tuned"},
         {std::string(kHold) + "[task]\nname = \"juggle\"\n", "exp.toml:6: \"task.name\" is \"juggle\""},
+        {std::string(kHold) + "[task]\nfitness = \"atempts\"\n",
+         "exp.toml:6: \"task.fitness\" is \"atempts\", but a result of keepaway has attempts, "
+         "falls, hold_time_s, kicks, passes_completed, side_m;"},
+        {std::string(kHold) + "[task]\nname = \"kick\"\nworst = -1\nfitness = \"speed_mps\"\n",
+         "exp.toml:8: \"task.fitness\" is \"speed_mps\", but a result of kick has attempts, "},
         {std::string(kHold) + "[task]\nsettings = \"side=3\"\n",
          "exp.toml:6: \"task.settings\" is no list of settings: setting 'side=3'"},
         {std::string(kHold) + "[algorithm]\nname = \"neat\"\n",
@@ -125,6 +130,11 @@ TEST(Experiment, ElementsOfAListAreTunedWithinIt) {
                                                  {"motion.kick.times", "[0.1, 0.5, 0.3]"}}));
     EXPECT_THAT(fault_of("name = \"a\"\n[parameters.motion.kick.times.3]\nlower = 0.1\n"),
                 HasSubstr("exp.toml:2: unknown key \"parameters.motion.kick.times.3\""));
+}
+
+TEST(Experiment, AFigureMayBeMinimised) {
+    EXPECT_EQ(parse(std::string(kHold) + "[task]\nworst = -9\nfitness = \"-falls\"\n").task.fitness,
+              "-falls");
 }
 
 TEST(Experiment, TellsAllFaultsAtOnce) {

@@ -110,6 +110,7 @@ std::vector<episode::Job> Round::take(const std::vector<episode::Outcome>& outco
         }
         const episode::Failure failure =
             outcome.ending ? episode::Failure{invalid, {}, {}} : outcome.ending.error();
+        end_if_hopeless(outcome.key, failure, ledger);
         if (fail(episode, outcome, failure, rows, failed)) again.push_back(episode.job);
     }
     if (rows.empty() && failed.empty()) return again;
@@ -141,15 +142,20 @@ void Round::settle(Episode& episode, const episode::Outcome& outcome, double wor
     ++known_;
 }
 
+/// Where the run has played before, it is one worker that cannot, and others may.
+void Round::end_if_hopeless(const episode::Key& key, const episode::Failure& failure,
+                            const ledger::Ledger& ledger) const {
+    if (!failure.hopeless || known_ > 0) return;
+    const ledger::Ledger::Totals totals = ledger.totals();
+    if (totals.episodes > totals.failed) return;
+    throw HopelessRun(fmt::format("episode {}: {}", key.text(), failure.reason), *failure.hopeless);
+}
+
 bool Round::fail(Episode& episode, const episode::Outcome& outcome,
                  const episode::Failure& failure, std::vector<ledger::Row>& rows,
                  std::vector<ledger::FailedTry>& failed) {
     // A late failure of an earlier try says nothing about the one that is under way.
     if (episode.row || outcome.attempt != episode.job.attempt) return false;
-    if (failure.hopeless && known_ == 0) {
-        throw HopelessRun(fmt::format("episode {}: {}", outcome.key.text(), failure.reason),
-                          *failure.hopeless);
-    }
     spdlog::warn("episode {}: try {} of {} failed: {}", outcome.key.text(), outcome.attempt, kTries,
                  failure.reason);
     failed.push_back({outcome.key, outcome.attempt, failure.reason, outcome.worker});

@@ -42,7 +42,8 @@ class Round {
 
     /// Those to be played, in order.
     std::vector<episode::Job> missing() const;
-    /// Puts what has come into the ledger, and returns the jobs that are to be tried again.
+    /// Puts what has come into the ledger, and returns the jobs that are to be tried again. Throws
+    /// HopelessRun if a job cannot be played anywhere and the ledger has no valid result yet.
     std::vector<episode::Job> take(const std::vector<episode::Outcome>& outcomes,
                                    ledger::Ledger& ledger);
 
@@ -65,6 +66,8 @@ class Round {
     /// True if the episode is to be tried again.
     bool fail(Episode& episode, const episode::Outcome& outcome, const episode::Failure& failure,
               std::vector<ledger::Row>& rows, std::vector<ledger::FailedTry>& failed);
+    void end_if_hopeless(const episode::Key& key, const episode::Failure& failure,
+                         const ledger::Ledger& ledger) const;
 
     const spec::Experiment& experiment_;
     std::vector<algorithm::Request> requests_;

@@ -34,10 +34,6 @@ struct Carrier {
     double lease_s = 30.0;
     int http_port = -1;  ///< below 0: no page
     std::string listen = "127.0.0.1";
-
-    std::string flags() const {
-        return nats.empty() ? fmt::format("--jobs {}", jobs) : "--nats " + nats;
-    }
 };
 
 void add_carrier_flags(CLI::App& verb, Carrier& carrier) {
@@ -151,6 +147,14 @@ int write_report(const std::string& folder) {
     return 0;
 }
 
+/// What reports and champions say of how to make them again. Without the carrier: no result depends on
+/// it, and a URL may have a password in it.
+std::string command_of(const std::string& experiment, const spec::Overrides& overrides) {
+    std::string command = "k3d-optimizer run " + experiment;
+    for (const std::string& text : overrides) command += " --set " + spec::quote_word(text);
+    return command;
+}
+
 void add_run(CLI::App& app, std::function<int()>& chosen) {
     struct Flags {
         std::string spec, folder;
@@ -168,11 +172,7 @@ void add_run(CLI::App& app, std::function<int()>& chosen) {
     add_carrier_flags(*verb, flags->carrier);
     verb->callback([flags, &chosen] {
         chosen = [flags] {
-            std::string command = "k3d-optimizer run " + flags->spec;
-            for (const std::string& text : flags->overrides) {
-                command += " --set " + spec::quote_word(text);
-            }
-            command += " " + flags->carrier.flags();
+            const std::string command = command_of(flags->spec, flags->overrides);
             return go_on(Run::begin(flags->spec, flags->overrides, flags->folder, command),
                          flags->carrier);
         };

@@ -94,6 +94,18 @@ TEST_F(Runs, AnEpisodeThatNeverWorksIsCountedAsTheWorst) {
     EXPECT_THAT(content("a.log"), HasSubstr("try 4 of 4 failed: server: killed by signal 9"));
 }
 
+TEST_F(Runs, TheirReportTellsNoPassword) {
+    process::Child daemon = start({"run", path("exp.toml"), "--run", path("a"), "--set", "seed=6",
+                                   "--nats", "nats://me:sesame@127.0.0.1:1"},
+                                  "a.log");
+    ASSERT_TRUE(await(daemon, [this] { return tells("a.log", "waiting for nats-server"); }))
+        << content("a.log");
+    daemon.kill();
+    ASSERT_EQ(run({"report", path("a")}, "said"), 0) << content("said");
+    EXPECT_THAT(content("a/report/report.html"), HasSubstr(path("exp.toml") + " --set "));
+    EXPECT_THAT(content("a/report/report.html"), ::testing::Not(HasSubstr("sesame")));
+}
+
 TEST_F(Runs, UsedUpHoursEndItWithAChampion) {
     ASSERT_EQ(run({"run", path("exp.toml"), "--run", path("a"), "--set", "budget.simulated_hours=1e-6",
                    "--set", "algorithm.sampling.validate_every=3"}, "a.log"), 0)

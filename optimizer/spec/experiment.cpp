@@ -136,6 +136,14 @@ void check_fitness(const TaskSpec& task, Faults& faults) {
                                            task.fitness, task.name, fmt::join(known, ", ")));
 }
 
+/// Where fitness may be below 0, a default of 0 would make failing the best there is.
+void complete_worst(TaskSpec& task, Faults& faults) {
+    if (!std::isnan(task.worst)) return;
+    task.worst = 0.0;
+    if (drill_of(task.name).empty() && !task.fitness.starts_with('-')) return;
+    faults.add("task.worst", "is missing: the fitness of an episode that gave no valid result");
+}
+
 void check_search(const Experiment& e, Faults& faults) {
     if (!is_name(e.name)) {
         faults.add("name", fmt::format("is \"{}\", wanted are letters, digits, _ - .", e.name));
@@ -192,6 +200,7 @@ Experiment parse_experiment(std::string_view toml, const std::string& file,
                             const AgentFields& fields, const ReadFile& read,
                             const Overrides& overrides) {
     Experiment e;
+    e.task.worst = Wanted::kUnsaid;
     ParameterTree tree(fields);
     const auto describe = [&](config::Fields& f) {
         e.describe(f);
@@ -208,6 +217,7 @@ Experiment parse_experiment(std::string_view toml, const std::string& file,
     Faults faults(toml, file);
     e.parameters = chosen(fields, tree, toml, faults);
     e.lists = fields.lists;
+    complete_worst(e.task, faults);
     check_search(e, faults);
     check_network(e, fields, read, faults);
     faults.throw_if_any();

@@ -46,7 +46,8 @@ struct TaskSpec {
         f.text("fitness", fitness, {},
                "figure of the episode that is maximised, - in front: minimised; empty: the task's own");
         f.number("worst", worst, {-1e9, 1e9}, "",
-                 "fitness of an episode that gave no valid result in all its tries");
+                 "fitness of an episode that gave no valid result in all its tries; an experiment says it, "
+                 "but for keepaway's own figures, none of which is below 0");
         f.text("tuned", tuned, {"keeper", "taker", "agent"},
                "keepaway: who gets the parameters; agent: both sides");
         f.integer("keepers", keepers, {1, 11}, "players", "keepaway: left team");

@@ -101,6 +101,10 @@ TEST(Experiment, NamesFileLineAndValueOfEveryFault) {
          "falls, hold_time_s, kicks, passes_completed, side_m;"},
         {std::string(kHold) + "[task]\nname = \"kick\"\nworst = -1\nfitness = \"speed_mps\"\n",
          "exp.toml:8: \"task.fitness\" is \"speed_mps\", but a result of kick has attempts, "},
+        {std::string(kHold) + "[task]\nname = \"possession\"\n",
+         "exp.toml:5: \"task.worst\" is missing"},
+        {std::string(kHold) + "[task]\nfitness = \"-falls\"\n",
+         "exp.toml:5: \"task.worst\" is missing"},
         {std::string(kHold) + "[task]\nsettings = \"side=3\"\n",
          "exp.toml:6: \"task.settings\" is no list of settings: setting 'side=3'"},
         {std::string(kHold) + "[algorithm]\nname = \"neat\"\n",
@@ -130,6 +134,11 @@ TEST(Experiment, ElementsOfAListAreTunedWithinIt) {
                                                  {"motion.kick.times", "[0.1, 0.5, 0.3]"}}));
     EXPECT_THAT(fault_of("name = \"a\"\n[parameters.motion.kick.times.3]\nlower = 0.1\n"),
                 HasSubstr("exp.toml:2: unknown key \"parameters.motion.kick.times.3\""));
+}
+
+TEST(Experiment, AFailedEpisodeOfKeepawayCountsNothing) {
+    EXPECT_EQ(parse(kHold).task.worst, 0.0);
+    EXPECT_EQ(parse(std::string(kHold) + "[task]\nfitness = \"attempts\"\n").task.worst, 0.0);
 }
 
 TEST(Experiment, AFigureMayBeMinimised) {

@@ -143,7 +143,7 @@ bool play(Work& work, const spec::TableSpec& table) {
     return true;
 }
 
-report::SearchReport report_of(const Work& work, const spec::Search& search, int run) {
+report::SearchReport read_report(const Work& work, const spec::Search& search, int run) {
     const std::string folder = work.search_folder(search.name, run);
     const Found found = found_in(folder);
     const auto ledger = ledger::Ledger::open(ledger_file(folder), ledger::Ledger::Access::Read);
@@ -157,6 +157,19 @@ report::SearchReport report_of(const Work& work, const spec::Search& search, int
             found.finished,
             ledger.totals(),
             report::curves_of(ledger, report::value_names(found.experiment))};
+}
+
+/// A run of long ago may name parameters that the agent has no longer: that must cost no other results.
+report::SearchReport report_of(const Work& work, const spec::Search& search, int run) {
+    try {
+        return read_report(work, search, run);
+    } catch (const std::exception& error) {
+        report::SearchReport report;
+        report.search = search;
+        report.run = run;
+        report.fault = error.what();
+        return report;
+    }
 }
 
 /// All that is there, also of parts that an earlier command has made.

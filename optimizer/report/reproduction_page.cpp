@@ -15,12 +15,23 @@ namespace k3d::optimizer::report {
 
 namespace {
 
+const std::vector<std::string> kHeads{"search", "run", "algorithm", "fitness", "generations",
+                                      "episodes", "simulated h", "process h", "failed",
+                                      "finished", "version", "champion"};
+
 /// "NEAT as in the paper, run 2" for the second run of several.
 std::string name_of(const SearchReport& s) {
     return fmt::format("{}, run {}", s.search.label, s.run);
 }
 
 std::vector<std::string> cells(const SearchReport& s) {
+    if (!s.fault.empty()) {
+        std::vector<std::string> cells(kHeads.size());
+        cells[0] = s.search.name;
+        cells[1] = std::to_string(s.run);
+        cells.back() = "cannot be read: " + s.fault;
+        return cells;
+    }
     return {s.search.name,
             std::to_string(s.run),
             s.algorithm,
@@ -35,9 +46,18 @@ std::vector<std::string> cells(const SearchReport& s) {
             s.champion};
 }
 
-const std::vector<std::string> kHeads{"search", "run", "algorithm", "fitness", "generations",
-                                      "episodes", "simulated h", "process h", "failed",
-                                      "finished", "version", "champion"};
+std::string csv_quoted(const std::string& text) {
+    std::string out = "\"";
+    for (const char c : text) out += c == '"' ? "\"\"" : std::string(1, c);
+    return out + '"';
+}
+
+std::string line_of(const SearchReport& s) {
+    if (!s.fault.empty()) return fmt::format("  {:<52} cannot be read: {}\n", name_of(s), s.fault);
+    return fmt::format("  {:<52} {:>4} generations {:>7} episodes {:>8.2f} simulated h{}\n", name_of(s),
+                       s.generations, s.totals.episodes, s.totals.simulated_s / 3600.0,
+                       s.finished ? "" : " (not finished)");
+}
 
 /// Best of training and the validated champion over the generations, all runs of a part.
 std::string learning_plot(const Reproduction& r, const std::string& part) {
@@ -127,7 +147,7 @@ std::string searches_csv(const Reproduction& r) {
     for (const SearchReport& s : r.searches) {
         std::string line;
         for (const std::string& cell : cells(s)) {
-            line += fmt::format("{}\"{}\"", line.empty() ? "" : ",", cell);
+            line += (line.empty() ? "" : ",") + csv_quoted(cell);
         }
         text += line + "\n";
     }
@@ -143,11 +163,7 @@ std::string reproduction_csv(const Reproduction& r) {
 std::string reproduction_text(const Reproduction& r) {
     std::string text = fmt::format("budget {}: {}\nreport by version {}\n\nSearches\n", r.budget,
                                    r.description, r.version);
-    for (const SearchReport& s : r.searches) {
-        text += fmt::format("  {:<52} {:>4} generations {:>7} episodes {:>8.2f} simulated h{}\n",
-                            name_of(s), s.generations, s.totals.episodes,
-                            s.totals.simulated_s / 3600.0, s.finished ? "" : " (not finished)");
-    }
+    for (const SearchReport& s : r.searches) text += line_of(s);
     for (const Comparison& table : r.tables) text += "\n" + comparison_text(table);
     return text;
 }

@@ -24,6 +24,7 @@ struct SearchReport {
     bool finished = false;
     ledger::Ledger::Totals totals;
     Curves curves;
+    std::string fault = {};  ///< why its run cannot be read; then the rest is empty
 };
 
 struct Reproduction {

@@ -129,6 +129,20 @@ std::string endings(const RunFacts& run, const std::vector<ledger::Row>& rows) {
     return out + "</pre>\n";
 }
 
+/// What the run had otherwise than its file says: not every command names it.
+std::string overrides(const ledger::Facts& facts) {
+    const auto found = facts.find("overrides");
+    if (found == facts.end()) return "";
+    std::string lines;
+    for (const nlohmann::json& text : nlohmann::json::parse(found->second)) {
+        lines += escape(text.get<std::string>()) + "\n";
+    }
+    if (lines.empty()) return "";
+    return fmt::format("<p>Settings of this run, stronger than the file:</p>\n"
+                       "<pre id=\"overrides\">{}</pre>\n",
+                       lines);
+}
+
 std::string origin(const RunFacts& run, const ledger::Facts& facts) {
     const auto fact = [&facts](const char* name) {
         const auto found = facts.find(name);
@@ -139,9 +153,9 @@ std::string origin(const RunFacts& run, const ledger::Facts& facts) {
         "<p>Code version {}, begun {}, run {}. All seeds follow from seed {} of the experiment; "
         "those of every episode are in episodes.csv. The same experiment, seed and version give "
         "the same rows on any number of workers.</p>\n"
-        "<details open><summary>The experiment, {}</summary><pre>{}</pre></details>\n",
+        "<details open><summary>The experiment, {}</summary><pre>{}</pre></details>\n{}",
         fact("command"), fact("code_version"), fact("begun"), fact("id"), run.experiment.seed,
-        fact("file"), fact("experiment"));
+        fact("file"), fact("experiment"), overrides(facts));
 }
 
 void write(const std::string& path, const std::string& text) {

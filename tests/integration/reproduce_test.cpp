@@ -23,16 +23,31 @@ class Reproduce : public RunRig {
         for (const char* left_out :
              {"keepaway_neat", "keepaway_neat_noise", "keepaway_linear_both", "keepaway_linear_hold",
               "keepaway_algorithm2", "keepaway_linear_getopen", "possession_neat", "possession_linear",
-              "kick", "ball_prediction"}) {
+              "ball_prediction"}) {
             budget += std::string("[") + left_out + "]\nruns = 0\n";
         }
         budget +=
-            "[keepaway_linear]\nset = \"'task.settings=server:physics.stepper=fast "
+            "[kick]\nruns = 1\n[keepaway_linear]\nset = \"'task.settings=server:physics.stepper=fast "
             "server:keepaway.limit=1' algorithm.max_generations=" + generations +
             " algorithm.sampling.episodes=1 "
             "algorithm.sampling.halving_episodes=0 algorithm.sampling.validation_episodes=1 "
             "algorithm.sampling.finalists=1 algorithm.cmaes.population=4\"\n";
         return budget;
+    }
+    /// A run of a search that can be read no more: its agent tells its settings no longer.
+    void leave_unreadable_search() const {
+        const std::string agent = K3D_BIN_DIR "/quick_episode";
+        std::filesystem::create_symlink(agent, path("agent"));
+        std::string text = quick_experiment();
+        const std::string key = "agent_program = \"";
+        text.replace(text.find(key) + key.size(), agent.size(), path("agent"));
+        write("old.toml", text);
+        ASSERT_EQ(run({"run", path("old.toml"), "--run", path("out/search/kick-1"), "--set",
+                       "algorithm.max_generations=1"},
+                      "kick.log"),
+                  0)
+            << content("kick.log");
+        std::filesystem::remove(path("agent"));
     }
     std::vector<std::string> words(const std::string& part) const {
         return {"reproduce", part,           "--budget", path("tiny.toml"),
@@ -56,6 +71,7 @@ TEST_F(Reproduce, Table1FromNothingInTwoGoes) {
     EXPECT_THAT(content("first.log"), HasSubstr("the same command goes on"));
     const std::string before = shown("out/test/table1-greedy/keepaway_linear-1", "--csv");
 
+    leave_unreadable_search();
     ASSERT_EQ(run(words("table1"), "second.log"), 0) << content("second.log");
     const std::string said = content("second.log");
     EXPECT_THAT(said, Not(HasSubstr("generation 0:"))) << "the search is not repeated";
@@ -65,6 +81,12 @@ TEST_F(Reproduce, Table1FromNothingInTwoGoes) {
     EXPECT_THAT(content("out/report.html"), HasSubstr("<h1>The paper's results, reproduced</h1>"));
     EXPECT_THAT(content("out/tables.csv"), HasSubstr("table1-greedy,still,\"Stand still\",hold_time_s,2,"));
     EXPECT_THAT(content("out/searches.csv"), HasSubstr("\"keepaway_linear\",\"1\",\"cmaes\",\"attempts\",\"1\","));
+
+    EXPECT_THAT(content("out/searches.csv"), HasSubstr("\"kick\",\"1\",\"\","));
+    EXPECT_THAT(said, HasSubstr("Kick by CMA-ES, run 1")) << "a search that cannot be read is listed";
+    EXPECT_THAT(said, HasSubstr("cannot be read: "));
+    EXPECT_THAT(content("out/search/keepaway_linear-1/report/report.html"),
+                HasSubstr("<pre id=\"overrides\">test.episodes=0\n"));
 
     write("tiny.toml", budget("2", "1"));
     EXPECT_EQ(run(words("table1"), "other.log"), 1) << content("other.log");

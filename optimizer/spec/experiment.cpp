@@ -73,13 +73,20 @@ void check_parameter(const std::string& path, const AgentField& field, const Wan
     }
 }
 
+/// Whether the experiment says anything of what stands at `path`, in its file or beside it.
+bool is_named(const std::string& path, std::string_view toml, const Overrides& overrides) {
+    return config::line_of(toml, path) ||
+           std::any_of(overrides.begin(), overrides.end(),
+                       [&](const std::string& text) { return text.starts_with(path + "."); });
+}
+
 VectorProblem chosen(const AgentFields& fields, const ParameterTree& tree, std::string_view toml,
-                     Faults& faults) {
+                     const Overrides& overrides, Faults& faults) {
     VectorProblem parameters;
     for (std::size_t i = 0; i < fields.numbers.size(); ++i) {
         const AgentField& field = fields.numbers[i];
         const std::string path = "parameters." + field.path;
-        if (!config::line_of(toml, path)) continue;
+        if (!is_named(path, toml, overrides)) continue;
         const Wanted& w = tree.wanted()[i];
         Parameter p;
         p.name = field.path;
@@ -215,7 +222,7 @@ Experiment parse_experiment(std::string_view toml, const std::string& file,
         config::set(describe, text.substr(0, equals), text.substr(equals + 1));
     }
     Faults faults(toml, file);
-    e.parameters = chosen(fields, tree, toml, faults);
+    e.parameters = chosen(fields, tree, toml, overrides, faults);
     e.lists = fields.lists;
     complete_worst(e.task, faults);
     check_search(e, faults);

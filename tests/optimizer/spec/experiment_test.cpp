@@ -146,6 +146,16 @@ TEST(Experiment, AFigureMayBeMinimised) {
               "-falls");
 }
 
+TEST(Experiment, AParameterMayBeAddedBesideTheFile) {
+    const Overrides step{"parameters.motion.walk.step.lower=0.01",
+                         "parameters.motion.walk.step.upper=0.05"};
+    const Experiment e = parse_experiment(kHold, "exp.toml", fields(), read, step);
+    ASSERT_EQ(e.parameters.size(), 2U);
+    EXPECT_EQ(e.parameters[1].name, "motion.walk.step");
+    EXPECT_THROW(parse_experiment(kHold, "exp.toml", fields(), read, {step[0]}), config::ConfigError)
+        << "upper is missing";
+}
+
 TEST(Experiment, TellsAllFaultsAtOnce) {
     const std::string said = fault_of(
         "name = \"\"\n[parameters.keeper.hold]\nlower = 5\nupper = 1\n"

@@ -14,7 +14,7 @@ struct HalvingRound {
 };
 
 /// Rounds that share `budget` further episodes equally, the first among the better half, the last
-/// among two; each gives at least one episode. Empty without budget or with fewer than 4 candidates.
+/// among two; each gives at least one episode. Empty without budget or with fewer than 3 candidates.
 std::vector<HalvingRound> halve(int candidates, int budget);
 
 /// Rounds after which the winner of `finalists` has `episodes` in all: everybody begins with an equal

@@ -4,11 +4,9 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <numeric>
-
 #include "common/random/stream.h"
-#include "optimizer/algorithm/score.h"
+#include "optimizer/algorithm/algorithm.h"
+#include "optimizer/algorithm/functions.h"
 
 namespace k3d::optimizer::algorithm {
 namespace {
@@ -17,6 +15,7 @@ TEST(Halving, SharesTheBudgetOverItsRounds) {
     EXPECT_EQ(halve(16, 48), (std::vector<HalvingRound>{{8, 2}, {4, 4}, {2, 8}}));
     EXPECT_EQ(halve(60, 0), std::vector<HalvingRound>{});
     EXPECT_EQ(halve(2, 100), std::vector<HalvingRound>{});
+    EXPECT_EQ(halve(3, 10), (std::vector<HalvingRound>{{2, 5}}));
     EXPECT_EQ(halve(16, 3), (std::vector<HalvingRound>{{8, 1}, {4, 1}, {2, 1}}));
 }
 
@@ -26,32 +25,42 @@ TEST(Finals, TheWinnerHasAllEpisodes) {
     EXPECT_EQ(finals(5, 8), (std::vector<HalvingRound>{{5, 1}, {3, 2}, {2, 4}, {1, 8}}));
 }
 
-/// Plays 60 candidates whose true means spread by 0.2 about 3.1, with noise of 1.29 an episode and
-/// 1,200 episodes in all; the true mean of the one chosen and what it seemed to be.
+/// The champion of a generation of 60 candidates whose true means spread by 0.2 about 3.1, with noise
+/// of 1.29 an episode and 1,200 episodes in all: its true mean, and what that seemed to be.
 struct Choice {
     double truth = 0.0;
     double seeming = 0.0;
 };
 
+spec::AlgorithmSpec one_generation(bool by_halving) {
+    spec::AlgorithmSpec spec;
+    spec.name = "random_search";
+    spec.max_generations = 1;
+    spec.random_search.population = 60;
+    spec.sampling.episodes = by_halving ? 6 : 20;
+    spec.sampling.halving_episodes = by_halving ? 840 : 0;
+    spec.sampling.validation_episodes = 0;
+    return spec;
+}
+
 Choice choose(bool by_halving, RandomStream& stream) {
     std::vector<double> truth(60);
     for (double& t : truth) t = 3.1 + 0.2 * stream.normal();
-    const auto play = [&](std::size_t i, int episodes) {
-        std::vector<double> values;
-        for (int k = 0; k < episodes; ++k) values.push_back(truth[i] + 1.29 * stream.normal());
-        return score_of(values);
-    };
-    std::vector<Outcome> outcomes;
-    for (std::size_t i = 0; i < 60; ++i) outcomes.push_back({false, play(i, by_halving ? 6 : 20)});
-    for (const HalvingRound& round : halve(60, by_halving ? 840 : 0)) {
-        const std::vector<std::size_t> order = ranking(outcomes);
-        for (int i = 0; i < round.survivors; ++i) {
-            const std::size_t who = order[static_cast<std::size_t>(i)];
-            outcomes[who].score = pooled(outcomes[who].score, play(who, round.episodes));
+    std::vector<std::vector<double>> played(60);
+    Algorithm algorithm(one_generation(by_halving), testing::box(1, 0.0, 1.0), 1);
+    while (!algorithm.finished()) {
+        for (const Request& request : algorithm.ask()) {
+            std::vector<double>& values = played[request.candidate];
+            while (static_cast<int>(values.size()) < request.episodes) {
+                values.push_back(truth[request.candidate] + 1.29 * stream.normal());
+            }
+            algorithm.tell(request.candidate, request.pool, score_of(values));
         }
+        algorithm.advance();
     }
-    const std::size_t best = ranking(outcomes).front();
-    return {truth[best], outcomes[best].score.mean};
+    EXPECT_LE(algorithm.episodes_told(), 1200U);
+    const Champion champion = algorithm.champion().value();
+    return {truth[champion.candidate], champion.score.mean};
 }
 
 TEST(Halving, FindsABetterWinnerWithLessOptimismForTheSameEpisodes) {

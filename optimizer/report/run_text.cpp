@@ -7,7 +7,9 @@
 #include <array>
 #include <map>
 
+#include "common/config/config.h"
 #include "optimizer/spec/settings.h"
+#include "optimizer/spec/words.h"
 
 namespace k3d::optimizer::report {
 
@@ -87,6 +89,12 @@ std::string generations_table(const std::vector<nlohmann::json>& log) {
         text += '\n';
     }
     return text;
+}
+
+/// What --set takes as it is written, a file takes in quotes if it is a text.
+std::string toml_value(const std::string& value) {
+    const bool is_toml = config::line_of("value = " + value, "value").has_value();
+    return is_toml ? value : spec::quote_word(value);
 }
 
 }  // namespace
@@ -184,7 +192,7 @@ std::string champion_file(const spec::Experiment& experiment, const algorithm::C
     std::map<std::string, std::string> settings;
     for (const std::string& word : spec::parse_settings(experiment.task.settings).keeper) {
         const auto sign = word.find('=');
-        settings[word.substr(0, sign)] = word.substr(sign + 1);
+        settings[word.substr(0, sign)] = toml_value(word.substr(sign + 1));
     }
     for (const auto& [path, value] : spec::settings_of(experiment, *values)) settings[path] = value;
     std::map<std::string, std::string> sections;

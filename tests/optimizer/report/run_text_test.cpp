@@ -81,6 +81,16 @@ TEST(Champion, CarriesWhatItsSearchFixedForTheAgents) {
     EXPECT_EQ(champion_file(e, champion, "who"), "# who\n\n[keeper]\nhold = 0.1\ntie = 2\n");
 }
 
+TEST(Champion, HasFixedTextsInQuotes) {
+    spec::Experiment e;
+    e.parameters = {{"keeper.hold", 1.0, 1.0, 0.0, 5.0}};
+    e.task.settings = "agent:keeper.policy=handcoded agent:keeper.on=true 'agent:keeper.list=[1, 2]'";
+    algorithm::Champion champion;
+    champion.payload = std::vector<double>{0.1};
+    EXPECT_EQ(champion_file(e, champion, "who"),
+              "# who\n\n[keeper]\nhold = 0.1\nlist = [1, 2]\non = true\npolicy = \"handcoded\"\n");
+}
+
 TEST(Champion, IsANetworkThatSaysWhereItComesFrom) {
     spec::Experiment e;
     e.start_network = network::parse(

@@ -294,13 +294,4 @@ const std::vector<Champion>& Algorithm::hall_of_fame() const { return impl_->fam
 
 std::vector<nlohmann::json> Algorithm::take_log() { return std::exchange(impl_->log, {}); }
 
-std::vector<Algorithm::Standing> Algorithm::standings() const {
-    std::vector<Standing> all;
-    for (const Entry& entry : impl_->entries) {
-        const Track& track = entry.track(impl_->phase);
-        all.push_back({entry.id, impl_->phase, track.score, track.failed});
-    }
-    return all;
-}
-
 }  // namespace k3d::optimizer::algorithm

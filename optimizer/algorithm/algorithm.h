@@ -96,14 +96,6 @@ class Algorithm {
     /// One line for each generation closed since the last call: "generation", "candidates", "best",
     /// "median", "mean" (fitness) and what the algorithm adds ("sigma", "species", ...).
     std::vector<nlohmann::json> take_log();
-    /// Scores of the generation under evaluation, for progress displays; in order of birth.
-    struct Standing {
-        std::uint64_t candidate;
-        Pool pool;
-        std::optional<Score> score;
-        bool failed;
-    };
-    std::vector<Standing> standings() const;
 
     /// The whole state, version "format"/"version"; restore() continues with the same bits.
     nlohmann::json save() const;

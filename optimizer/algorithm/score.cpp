@@ -11,11 +11,7 @@
 namespace k3d::optimizer::algorithm {
 namespace {
 
-/// Sum of squared deviations from the mean: se = sqrt(squares / (n (n - 1))).
-double squares_of(const Score& score) {
-    return score.se * score.se * static_cast<double>(score.n) * static_cast<double>(score.n - 1);
-}
-
+/// Standard error of the mean, from the sum of squared deviations from it.
 double error_of(double squares, int n) {
     if (n < 2) return 0.0;
     return std::sqrt(squares / (static_cast<double>(n) * static_cast<double>(n - 1)));
@@ -30,15 +26,6 @@ Score score_of(const std::vector<double>& values) {
     double squares = 0.0;
     for (const double value : values) squares += (value - mean) * (value - mean);
     return {mean, error_of(squares, n), n};
-}
-
-Score pooled(const Score& a, const Score& b) {
-    K3D_ASSERT(a.n >= 1 && b.n >= 1);
-    const int n = a.n + b.n;
-    const double gap = b.mean - a.mean;
-    const double share = static_cast<double>(b.n) / n;
-    const double squares = squares_of(a) + squares_of(b) + gap * gap * share * a.n;
-    return {a.mean + gap * share, error_of(squares, n), n};
 }
 
 std::vector<std::size_t> ranking(const std::vector<Outcome>& outcomes) {

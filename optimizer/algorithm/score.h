@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Noisy fitness: mean, standard error and number of episodes, pooled and ranked.
+// Noisy fitness: mean, standard error and number of episodes, ranked.
 #pragma once
 
 #include <cstddef>
@@ -19,9 +19,6 @@ struct Score {
 
 /// Mean and standard error (of n - 1) of single fitness values; at least one.
 Score score_of(const std::vector<double>& values);
-
-/// The score of both samples together, as if score_of() had seen all their values.
-Score pooled(const Score& a, const Score& b);
 
 /// What a generation learned of one candidate.
 struct Outcome {

@@ -134,6 +134,10 @@ std::vector<ComparedFigure> compare(const Comparison& comparison) {
             std::vector<double> sample;
             for (const auto& [episode, value] : values) sample.push_back(value);
             ComparedLine line{row.spec.key, row.spec.label, statistics(sample), std::nullopt};
+            if (row.rows.size() < static_cast<std::size_t>(comparison.table.episodes)) {
+                line.label += fmt::format(" (unfinished: {} of {})", row.rows.size(),
+                                          comparison.table.episodes);
+            }
             if (row.spec.key != comparison.table.reference) {
                 line.against = paired_by_episode(values, base);
             }

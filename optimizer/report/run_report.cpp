@@ -10,6 +10,7 @@
 
 #include "optimizer/fitness/fitness.h"
 #include "optimizer/report/curves.h"
+#include "optimizer/report/network_drawing.h"
 #include "optimizer/report/run_plots.h"
 #include "optimizer/report/run_text.h"
 #include "optimizer/report/svg_plot.h"
@@ -100,6 +101,16 @@ std::string values_table(const RunFacts& run) {
                            number(p.start), number(p.lower), number(p.upper));
     }
     return out + "</table></div>\n";
+}
+
+/// Of a search for networks: the champion, whose weights and nodes tell more than a table of them.
+std::string network_picture(const RunFacts& run) {
+    if (!run.champion) return "";
+    const auto* network = std::get_if<network::Definition>(&run.champion->payload);
+    if (network == nullptr) return "";
+    return "<h2>Its network</h2>\n<div class=\"wide\">" + svg_network(*network) +
+           "</div>\n<p class=\"dim\">Blue adds, orange takes away; broader is stronger. Point at a link "
+           "for its weight.</p>\n";
 }
 
 /// How episodes ended, and all that did not.
@@ -217,7 +228,7 @@ std::string report_html(const RunFacts& run) {
            figure(std::to_string(totals.failed), "failed episodes") + "</div>\n";
     out += "<div class=\"plots\">\n" + plots(curves_of(run.ledger, value_names(e)), rows, measure) +
            "</div>\n";
-    out += champion_table(run, rows) + values_table(run) + endings(run, rows) + origin(run, facts);
+    out += champion_table(run, rows) + values_table(run) + network_picture(run) + endings(run, rows) + origin(run, facts);
     return out + "</body></html>\n";
 }
 

@@ -61,6 +61,10 @@ void NeatSpec::describe(config::Fields& f) {
     f.number("threshold", threshold, {0.0, 1e6}, "", "distance within a species; 0: the profile's");
     f.number("weight_coefficient", weight_coefficient, {-1.0, 1e6}, "",
              "c3 of the distance; -1: the profile's");
+    f.number("perturbation", perturbation, {-1.0, 1e6}, "",
+             "standard deviation of a weight's change; -1: the profile's");
+    f.number("new_weight", new_weight, {-1.0, 1e6}, "",
+             "standard deviation of new weights; -1: the profile's");
     f.number("add_node", add_node, {-1.0, 1.0}, "", "chance per child; -1: the profile's");
     f.number("add_link", add_link, {-1.0, 1.0}, "", "chance per child; -1: the profile's");
     f.number("delete_node", delete_node, {-1.0, 1.0}, "", "chance per child; -1: the profile's");

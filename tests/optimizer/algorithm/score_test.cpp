@@ -3,8 +3,6 @@
 #include "optimizer/algorithm/score.h"
 
 #include <gtest/gtest.h>
-#include <rapidcheck.h>
-#include <rapidcheck/gtest.h>
 
 #include <cmath>
 
@@ -19,26 +17,6 @@ TEST(Score, MeanAndStandardError) {
     EXPECT_DOUBLE_EQ(score.se, std::sqrt(14.0 / 3.0 / 4.0));
     EXPECT_EQ(score.n, 4);
     EXPECT_EQ(score_of({5.0}), (Score{5.0, 0.0, 1}));
-}
-
-RC_GTEST_PROP(Score, PoolingEqualsSeeingAllValues, ()) {
-    const auto values = [] {
-        std::vector<double> list;
-        for (const int v : *rc::gen::nonEmpty(rc::gen::container<std::vector<int>>(
-                 rc::gen::inRange(-1000, 1000)))) {
-            list.push_back(0.1 * v);
-        }
-        return list;
-    };
-    const std::vector<double> a = values();
-    const std::vector<double> b = values();
-    std::vector<double> both = a;
-    both.insert(both.end(), b.begin(), b.end());
-    const Score expected = score_of(both);
-    const Score got = pooled(score_of(a), score_of(b));
-    RC_ASSERT(got.n == expected.n);
-    RC_ASSERT(std::abs(got.mean - expected.mean) < 1e-9);
-    RC_ASSERT(std::abs(got.se - expected.se) < 1e-9);
 }
 
 TEST(Ranking, BestFirstFailedLastEqualsInOrderOfBirth) {

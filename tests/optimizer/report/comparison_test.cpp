@@ -67,6 +67,15 @@ TEST(Comparison, ByEpisodeAgainstTheReference) {
     EXPECT_EQ(attempts.lines[1].label, "Row a-2");
 }
 
+TEST(Comparison, ARowThatIsNotPlayedToTheEndSaysSo) {
+    Comparison c = three_rows();
+    c.table.episodes = 2;
+    c.rows[2].rows.pop_back();
+    const ComparedFigure attempts = compare(c).at(0);
+    EXPECT_EQ(attempts.lines[1].label, "Row a-2");
+    EXPECT_EQ(attempts.lines[2].label, "Row algorithm2 (unfinished: 1 of 2)");
+}
+
 TEST(Comparison, WhatFailedIsCountedAndInNoMean) {
     const Comparison c = three_rows();
     const Circumstances s = circumstances(c.rows[1]);

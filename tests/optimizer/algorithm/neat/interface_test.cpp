@@ -141,11 +141,15 @@ TEST(Profiles, SettingsThatCannotBeAreNamed) {
     spec.population = 30;
     spec.target_species = 0;
     spec.add_node = 0.5;
+    spec.perturbation = 0.25;
+    spec.new_weight = 0.75;
     spec.networks = "recurrent";
     const Settings s = settings_of(spec);
     EXPECT_EQ(s.population, 30);
     EXPECT_EQ(s.target_species, 0);
     EXPECT_EQ(s.add_node, 0.5);
+    EXPECT_EQ(s.perturbation, 0.25);
+    EXPECT_EQ(s.new_weight, 0.75);
     EXPECT_TRUE(s.recurrent);
     EXPECT_GT(s.recurrent_link, 0.0);
 }

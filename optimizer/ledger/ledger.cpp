@@ -185,7 +185,9 @@ Ledger Ledger::open(const std::string& path, Access access) {
                                           kVersion));
         }
         if (access == Access::Write) {
-            db.exec("PRAGMA synchronous = NORMAL");
+            // What is in the ledger is confirmed and never delivered again: it must outlast a
+            // power cut.
+            db.exec("PRAGMA synchronous = FULL");
             const std::string verdict = db.execAndGet("PRAGMA quick_check(1)").getString();
             if (verdict != "ok") throw LedgerError("it is damaged: " + verdict);
         }

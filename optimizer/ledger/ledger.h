@@ -2,8 +2,8 @@
 // The truth of a run: an SQLite file with one row per episode, the failed tries, the algorithm's
 // state after each round, and what was run. Everything else can be made again from it.
 //
-// Each call is one transaction in write-ahead mode: a daemon that is killed leaves all of it or
-// nothing. After a power cut the last rows may be missing; their episodes are then played again.
+// Each call is one transaction in write-ahead mode: a daemon that is killed, or a machine without
+// power, leaves all of it or nothing. When the call returns, the disk has it.
 #pragma once
 
 #include <map>

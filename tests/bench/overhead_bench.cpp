@@ -74,7 +74,7 @@ class Bench {
     }
 
     void rows() const {
-        constexpr int kRows = 20000;
+        constexpr int kRows = 2000;
         optimizer::ledger::Ledger ledger =
             optimizer::ledger::Ledger::create(folder_ / "rows.sqlite", {{"name", "rows"}});
         optimizer::ledger::Row row;

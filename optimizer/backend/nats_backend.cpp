@@ -34,8 +34,10 @@ NatsBackend::NatsBackend(const std::string& url, const std::string& run,
 }
 
 NatsBackend::~NatsBackend() {
-    // Else workers go on, and the daemon that resumes the run finds what they did.
-    if (outstanding_.empty() && link_.connected()) link_.forget(run_);
+    // Else workers go on, and the daemon that resumes the run finds what they did; what is not
+    // confirmed may be in no ledger, and comes again.
+    const bool settled = outstanding_.empty() && unconfirmed_.empty();
+    if (settled && link_.connected()) link_.forget(run_);
 }
 
 void NatsBackend::submit(const episode::Job& job) {

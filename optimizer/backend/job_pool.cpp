@@ -139,7 +139,8 @@ episode::Clock::time_point JobPool::Running::started() const {
 std::vector<JobPool::Progress> JobPool::progress() const {
     std::vector<Progress> all;
     for (const auto& running : running_) {
-        all.push_back({running->job.run, running->job.key, telemetry_bytes(running->folder)});
+        const episode::Job& job = running->job;
+        all.push_back({job.run, job.key, job.attempt, telemetry_bytes(running->folder)});
     }
     return all;
 }

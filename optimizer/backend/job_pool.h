@@ -44,6 +44,7 @@ class JobPool {
     struct Progress {
         std::string run;
         episode::Key key;
+        int attempt;
         std::uintmax_t done;
     };
     std::vector<Progress> progress() const;

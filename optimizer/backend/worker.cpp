@@ -47,7 +47,7 @@ void Worker::work(Wakeups& wakeups) {
         if (pool_.running() == 0 && link_.connected()) next = now;  // take() waits
         wakeups.wait(next);
     }
-    for (auto& [key, held] : held_) held.message.again();
+    for (auto& [which, held] : held_) held.message.again();
 }
 
 void Worker::take() {
@@ -67,10 +67,10 @@ void Worker::accept(NatsMessage message) {
         message.done();
         return;
     }
-    const auto key = std::pair(job.run, job.key);
-    if (held_.contains(key)) {
+    const Try which{job.run, job.key, job.attempt};
+    if (const auto found = held_.find(which); found != held_.end()) {
         // Our own lease of it ran out, and it came back to us: go on with the try under way.
-        held_.at(key).message = std::move(message);
+        found->second.message = std::move(message);
         return;
     }
     if (message.deliveries() > kMaxDeliveries) {
@@ -83,12 +83,12 @@ void Worker::accept(NatsMessage message) {
         return;
     }
     pool_.start(job);
-    held_.emplace(key, Held{std::move(message), job.run});
+    held_.emplace(which, Held{std::move(message), job.run});
 }
 
 void Worker::collect() {
     for (const auto& [run, outcome] : pool_.poll_with_runs()) {
-        const auto found = held_.find({run, outcome.key});
+        const auto found = held_.find({run, outcome.key, outcome.attempt});
         K3D_ASSERT(found != held_.end());
         finished_.push_back({std::move(found->second.message), run, outcome});
         held_.erase(found);
@@ -116,7 +116,7 @@ void Worker::keep_leases() {
     if (episode::Clock::now() < leases_kept_ + kKeepLeases) return;
     leases_kept_ = episode::Clock::now();
     for (const JobPool::Progress& progress : pool_.progress()) {
-        const auto found = held_.find({progress.run, progress.key});
+        const auto found = held_.find({progress.run, progress.key, progress.attempt});
         if (found == held_.end() || progress.done <= found->second.progress) continue;
         found->second.progress = progress.done;
         found->second.message.alive();  // simulated time has passed

@@ -6,6 +6,7 @@
 #include <chrono>
 #include <map>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "optimizer/backend/job_pool.h"
@@ -31,6 +32,9 @@ class Worker {
     void work(Wakeups& wakeups);
 
   private:
+    /// Run, episode and attempt. The daemon may give out an episode's next attempt, after another
+    /// worker's failure, while an earlier one is still under way here: each has an answer of its own.
+    using Try = std::tuple<std::string, episode::Key, int>;
     struct Held {
         NatsMessage message;
         std::string run;
@@ -52,7 +56,7 @@ class Worker {
     NatsLink link_;
     NatsSource jobs_;
     JobPool pool_;
-    std::map<std::pair<std::string, episode::Key>, Held> held_;  ///< by run and key
+    std::map<Try, Held> held_;
     std::vector<Finished> finished_;
     episode::Clock::time_point leases_kept_ = episode::Clock::now();
     episode::Clock::time_point busy_ = episode::Clock::now();

@@ -2,6 +2,11 @@
 // What stays in nats-server's queues, and for whom: no outcome is lost between queue and ledger.
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <gmock/gmock.h>
+#include <nats/nats.h>
+
+#include <optional>
+#include <utility>
+#include <vector>
 
 #include "integration/nats_process.h"
 #include "integration/run_rig.h"
@@ -10,6 +15,54 @@ namespace k3d::testing {
 namespace {
 
 using ::testing::HasSubstr;
+
+/// One that publishes and listens as anybody may.
+class Stranger {
+  public:
+    explicit Stranger(const std::string& url) {
+        EXPECT_EQ(natsConnection_ConnectTo(&connection_, url.c_str()), NATS_OK);
+        EXPECT_EQ(natsConnection_JetStream(&stream_, connection_, nullptr), NATS_OK);
+    }
+    ~Stranger() {
+        for (natsSubscription* one : subscriptions_) natsSubscription_Destroy(one);
+        jsCtx_Destroy(stream_);
+        natsConnection_Destroy(connection_);
+    }
+    Stranger(const Stranger&) = delete;
+    Stranger& operator=(const Stranger&) = delete;
+
+    natsSubscription* listen(const std::string& subject) {
+        subscriptions_.emplace_back();
+        EXPECT_EQ(natsConnection_SubscribeSync(&subscriptions_.back(), connection_, subject.c_str()),
+                  NATS_OK);
+        EXPECT_EQ(natsConnection_Flush(connection_), NATS_OK);
+        return subscriptions_.back();
+    }
+    /// Subject and text of the next message; none after so long a silence.
+    static std::optional<std::pair<std::string, std::string>> hear(
+        natsSubscription* from, std::chrono::milliseconds patience) {
+        natsMsg* message = nullptr;
+        if (natsSubscription_NextMsg(&message, from, patience.count()) != NATS_OK) return {};
+        std::pair<std::string, std::string> heard{
+            natsMsg_GetSubject(message),
+            {natsMsg_GetData(message), static_cast<std::size_t>(natsMsg_GetDataLength(message))}};
+        natsMsg_Destroy(message);
+        return heard;
+    }
+    void publish(const std::string& subject, const std::string& text) {
+        EXPECT_EQ(js_Publish(nullptr, stream_, subject.c_str(), text.data(),
+                             static_cast<int>(text.size()), nullptr, nullptr),
+                  NATS_OK);
+    }
+    void purge(const std::string& stream) {
+        EXPECT_EQ(js_PurgeStream(stream_, stream.c_str(), nullptr, nullptr), NATS_OK);
+    }
+
+  private:
+    natsConnection* connection_ = nullptr;
+    jsCtx* stream_ = nullptr;
+    std::vector<natsSubscription*> subscriptions_;
+};
 
 class Queue : public RunRig {
   protected:
@@ -53,6 +106,31 @@ TEST_F(Queue, KeepsOutcomesThatTheLedgerHasNotTaken) {
     EXPECT_EQ(end->code, 0) << content("daemon.log");
     EXPECT_EQ(run({"run", path("exp.toml"), "--run", path("calm"), "--jobs", "4"}, "calm.log"), 0);
     EXPECT_EQ(canonical("hit"), canonical("calm"));
+}
+
+TEST_F(Queue, TwoAttemptsOfAnEpisodeAtOneWorkerAreTwo) {
+    Stranger stranger(nats_.url());
+    natsSubscription* jobs = stranger.listen("k3d.job.>");
+    natsSubscription* outcomes = stranger.listen("k3d.outcome.>");
+    process::Child daemon = start_daemon({"run", path("exp.toml"), "--run", path("hit")});
+    const auto job = Stranger::hear(jobs, kRunPatience);
+    ASSERT_TRUE(job) << content("daemon.log");
+    daemon.kill();
+    stranger.purge("K3D_JOBS");
+    // What a worker gets whose lease of the first attempt ran out, and it failed at another one.
+    std::string second = job->second;
+    const std::string attempt = "\"attempt\":";
+    ASSERT_THAT(second, HasSubstr(attempt + "1"));
+    second.replace(second.find(attempt + "1"), attempt.size() + 1, attempt + "2");
+    stranger.publish(job->first, job->second);
+    stranger.publish(job->first, second);
+    EXPECT_TRUE(start_worker({"--jobs", "2", "--idle-s", "2"}).wait(kRunPatience));
+    std::string heard;
+    while (const auto outcome = Stranger::hear(outcomes, std::chrono::milliseconds(200))) {
+        heard += outcome->second + "\n";
+    }
+    EXPECT_THAT(heard, HasSubstr(attempt + "1"));
+    EXPECT_THAT(heard, HasSubstr(attempt + "2"));
 }
 
 }  // namespace

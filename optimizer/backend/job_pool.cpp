@@ -39,6 +39,15 @@ std::string make(const std::string& path) {
     return fs::absolute(path).string();
 }
 
+/// Of a daemon that was killed during the same try there may be files: a result among them would be
+/// taken for one of ours.
+std::string make_empty(const std::string& path) {
+    std::error_code fault;
+    fs::remove_all(path, fault);
+    if (fault) throw std::runtime_error(fmt::format("log folder {}: {}", path, fault.message()));
+    return make(path);
+}
+
 std::string this_worker() {
     std::array<char, 256> host{};
     ::gethostname(host.data(), host.size() - 1);
@@ -88,7 +97,7 @@ void JobPool::start(const episode::Job& job) {
     running->job = job;
     std::string name = job.run + "-" + job.key.text();
     std::replace(name.begin(), name.end(), '/', '-');
-    running->folder = make(fmt::format("{}/{}-try-{}", folder_, name, job.attempt));
+    running->folder = make_empty(fmt::format("{}/{}-try-{}", folder_, name, job.attempt));
     if (spec::drill_of(job.task.name).empty()) {
         running->match = episode::match_of(job, running->folder);
         const episode::Task task{0, job.seed, job.attempt};

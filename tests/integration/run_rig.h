@@ -99,6 +99,17 @@ class RunRig : public ::testing::Test {
         return shown(run_name, "--canonical") + shown(run_name, "--state");
     }
 
+    /// What `show` tells of tries that gave no result, a line each.
+    std::string failed_tries(const std::string& run_name) const {
+        EXPECT_EQ(run({"show", path(run_name)}, "shown"), 0) << content("shown");
+        std::istringstream lines(content("shown"));
+        std::string failed;
+        for (std::string line; std::getline(lines, line);) {
+            if (line.starts_with("failed try ")) failed += line + "\n";
+        }
+        return failed;
+    }
+
     std::string folder_;
 };
 

@@ -56,6 +56,21 @@ TEST_F(Runs, AKilledDaemonGoesOnWhereItWas) {
     EXPECT_EQ(canonical("hit"), canonical("calm"));
 }
 
+TEST_F(Runs, WhatADeadDaemonsEpisodesLeftIsNoResult) {
+    process::Child daemon = start({"run", path("exp.toml"), "--run", path("a")}, "a.log");
+    ASSERT_TRUE(await(daemon, [this] { return plays(); })) << content("a.log");
+    daemon.kill();
+    // As if the server had just written its line: nobody has read it.
+    int left = 0;
+    for (const auto& of_a_try : std::filesystem::directory_iterator(path("a/logs"))) {
+        std::ofstream(of_a_try.path() / "result.jsonl") << "a line\n";
+        ++left;
+    }
+    EXPECT_GT(left, 0);
+    ASSERT_EQ(run({"resume", path("a"), "--jobs", "4"}, "a.log"), 0) << content("a.log");
+    EXPECT_EQ(failed_tries("a"), "");
+}
+
 TEST_F(Runs, StopsInOrderAndGoesOn) {
     process::Child daemon = start({"run", path("exp.toml"), "--run", path("a")}, "a.log");
     ASSERT_TRUE(await(daemon, [this] { return plays(); })) << content("a.log");

@@ -65,13 +65,12 @@ std::uintmax_t telemetry_bytes(const std::string& folder) {
     return bytes;
 }
 
-/// An episode that found no room for its files has not failed: nothing can be played here now.
-void require_space(const std::string& folder) {
+/// What is wrong with it; empty while there is room for the files of episodes.
+std::string full_disk(const std::string& folder) {
     std::error_code fault;
     const fs::space_info space = fs::space(folder, fault);
-    if (fault || space.available >= kLeastSpace) return;
-    throw std::runtime_error(fmt::format("{}: only {} KiB are left on this disk", folder,
-                                         space.available / 1024));
+    if (fault || space.available >= kLeastSpace) return "";
+    return fmt::format("{}: only {} KiB are left on this disk", folder, space.available / 1024);
 }
 
 }  // namespace
@@ -117,18 +116,26 @@ std::vector<episode::Outcome> JobPool::poll() {
 
 std::vector<std::pair<std::string, episode::Outcome>> JobPool::poll_with_runs() {
     std::vector<std::pair<std::string, episode::Outcome>> ended;
-    std::erase_if(running_, [&](const std::unique_ptr<Running>& running) {
-        auto ending =
-            std::visit([](auto& episode) { return episode->poll(); }, running->episode);
-        if (!ending) return false;
-        end_logs(running->folder, !ending->has_value());
-        if (!*ending) {
-            require_space(folder_);
-            ending->error().reason += "; logs in " + running->folder;
+    for (auto at = running_.begin(); at != running_.end();) {
+        auto ending = std::visit([](auto& episode) { return episode->poll(); }, (*at)->episode);
+        if (!ending) {
+            ++at;
+            continue;
         }
-        ended.emplace_back(running->job.run, outcome(*running, std::move(*ending)));
-        return true;
-    });
+        const std::unique_ptr<Running> over = std::move(*at);
+        at = running_.erase(at);
+        end_logs(over->folder, !ending->has_value());
+        if (!*ending) {
+            // An episode that found no room for its files has not failed: nothing can be played
+            // here now.
+            if (full_disk_.empty()) full_disk_ = full_disk(folder_);
+            if (!full_disk_.empty()) continue;
+            ending->error().reason += "; logs in " + over->folder;
+        }
+        ended.emplace_back(over->job.run, outcome(*over, std::move(*ending)));
+    }
+    // What has a result is worth keeping, so it goes out before the error does.
+    if (!full_disk_.empty() && ended.empty()) throw std::runtime_error(full_disk_);
     return ended;
 }
 

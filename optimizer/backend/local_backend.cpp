@@ -14,7 +14,8 @@ void LocalBackend::fill() {
 
 std::vector<episode::Outcome> LocalBackend::poll() {
     std::vector<episode::Outcome> ended = pool_.poll();
-    fill();
+    // A start that fails must not take results with it: next_look() asks for another call at once.
+    if (ended.empty()) fill();
     return ended;
 }
 

@@ -9,6 +9,8 @@
 #include <cstdlib>
 #include <map>
 #include <thread>
+#include <utility>
+#include <vector>
 
 #include "common/random/stream.h"
 #include "integration/nats_process.h"
@@ -63,6 +65,7 @@ class Doubler {
 class Faults : public RunRig {
   protected:
     static constexpr int kWorkers = 3;
+    static constexpr int kKinds = 5;  ///< of faults
 
     Faults() : nats_(folder_ + "/nats") {}
 
@@ -102,6 +105,14 @@ class Faults : public RunRig {
         const pid_t pid = servers[static_cast<std::size_t>(random.below(int(servers.size())))];
         ::unlink((path("quick") + "/" + std::to_string(pid)).c_str());
         return ::kill(pid, SIGKILL) == 0;
+    }
+
+    /// Every kind as often as the others, in an order of chance.
+    static std::vector<int> shuffled_kinds(int count, RandomStream& random) {
+        std::vector<int> kinds;
+        for (int i = 0; i < count; ++i) kinds.push_back(i % kKinds);
+        for (int i = count - 1; i > 0; --i) std::swap(kinds[i], kinds[random.below(i + 1)]);
+        return kinds;
     }
 
     /// One fault; false if there was nothing to strike.
@@ -160,14 +171,14 @@ TEST_F(Faults, TwentyFaultsLeaveNoTrace) {
     for (int i = 0; i < kWorkers; ++i) start_worker(i);
     start_daemon("run");
     RandomStream random(7, "faults", "kinds");
-    int faults = 0;
-    while (faults < wanted) {
+    const std::vector<int> kinds = shuffled_kinds(wanted, random);
+    std::size_t faults = 0;
+    while (faults < kinds.size()) {
         const auto ended = daemon_->wait(milliseconds(150 + random.below(300)));
         ASSERT_FALSE(ended) << "ended after " << faults << " faults, " << ended->text() << '\n'
                             << content("daemon.log");
         if (!std::filesystem::exists(path("hit/ledger.sqlite"))) continue;
-        // Every kind four times, in an order of chance.
-        if (strike((faults + random.below(5)) % 5, random)) ++faults;
+        if (strike(kinds[faults], random)) ++faults;
     }
     expect_end();
     EXPECT_GT(doubler.count(), 100);

@@ -4,7 +4,8 @@
 // were given. The server knows it only from the agents, over a socket; both die as real ones do.
 //
 //     quick_episode --results FILE --seed N ...   the server; leaves a file named after its pid in
-//                                                 $K3D_QUICK_FOLDER while it runs
+//                                                 $K3D_QUICK_FOLDER while it runs, and for good
+//                                                 a line with FILE in $K3D_QUICK_FOLDER.started
 //     quick_episode --unum N --port P ...         an agent, or several with --and between them
 //     quick_episode --print-fields                what k3d-agent says
 #include <arpa/inet.h>
@@ -53,9 +54,10 @@ sockaddr_in loopback(int port) {
 }
 
 int serve(const Flags& flags) {
-    const std::string mark =
-        std::string(std::getenv("K3D_QUICK_FOLDER")) + "/" + std::to_string(::getpid());
+    const std::string folder = std::getenv("K3D_QUICK_FOLDER");
+    const std::string mark = folder + "/" + std::to_string(::getpid());
     std::ofstream(mark).flush();
+    std::ofstream(folder + ".started", std::ios::app) << flags.at("--results") + "\n";
     const int listener = ::socket(AF_INET, SOCK_STREAM, 0);
     sockaddr_in address = loopback(0);
     socklen_t size = sizeof address;

@@ -11,8 +11,31 @@ namespace k3d::testing {
 namespace {
 
 using ::testing::HasSubstr;
+using ::testing::Not;
 
-class Runs : public RunRig {};
+/// What the folders of an episode's tries are called, by its row: "-train-0-3-1-try-".
+std::string tries_of(std::string row) {
+    std::replace(row.begin(), row.end(), ',', '-');
+    std::size_t end = 0;
+    for (int column = 0; column < 4; ++column) end = row.find('-', end) + 1;
+    return "-" + row.substr(0, end) + "try-";
+}
+
+class Runs : public RunRig {
+  protected:
+    /// The files of results that servers were started for, a line each.
+    std::string started() const { return content("quick.started"); }
+
+    /// None of these rows' episodes was played since `started()` was `before`.
+    void expect_not_played(const std::string& rows, const std::string& before) const {
+        const std::string since = started().substr(before.size());
+        EXPECT_THAT(since, HasSubstr("-try-"));
+        std::istringstream lines(rows);
+        for (std::string line; std::getline(lines, line);) {
+            EXPECT_THAT(since, Not(HasSubstr(tries_of(line))));
+        }
+    }
+};
 
 TEST_F(Runs, FourJobsGiveTheBytesOfOne) {
     ASSERT_EQ(run({"run", path("exp.toml"), "--run", path("one")}, "one.log"), 0)
@@ -39,6 +62,7 @@ TEST_F(Runs, AKilledDaemonGoesOnWhereItWas) {
     std::vector<std::string> words{"run", path("exp.toml"), "--run", path("hit"), "--jobs", "4"};
     std::string before;
     for (int kills = 0; kills < 5; ++kills) {
+        const std::string played = started();
         process::Child daemon = start(words, "hit.log");
         ASSERT_TRUE(await(daemon, [&] { return rows_so_far("hit").size() > before.size() + 200; }))
             << content("hit.log");
@@ -46,12 +70,16 @@ TEST_F(Runs, AKilledDaemonGoesOnWhereItWas) {
         daemon.kill();
         words = {"resume", path("hit"), "--jobs", "4"};
         const std::string now = shown("hit", "--csv");
-        // Every row that was there is there as it was, worker and all: nothing is played twice.
+        // Every row that was there is there as it was, worker and all, and nothing is played twice.
         std::istringstream lines(before);
         for (std::string line; std::getline(lines, line);) EXPECT_THAT(now, HasSubstr(line));
+        expect_not_played(before, played);
         before = now;
     }
+    const std::string played = started();
     ASSERT_EQ(run(words, "hit.log"), 0) << content("hit.log");
+    expect_not_played(before, played);
+    EXPECT_EQ(failed_tries("hit"), "");
     EXPECT_GT(before.size(), 1000U) << "the daemon was killed before it had done anything";
     EXPECT_EQ(canonical("hit"), canonical("calm"));
 }
@@ -127,7 +155,7 @@ TEST_F(Runs, UsedUpHoursEndItWithAChampion) {
         << content("a.log");
     ASSERT_EQ(run({"show", path("a")}, "shown"), 0);
     EXPECT_THAT(content("shown"), HasSubstr("search ended: simulated_hours"));
-    EXPECT_THAT(content("shown"), ::testing::Not(HasSubstr("champion on test seeds: none")));
+    EXPECT_THAT(content("shown"), Not(HasSubstr("champion on test seeds: none")));
 }
 
 TEST_F(Runs, ADrillIsATask) {
@@ -141,7 +169,7 @@ TEST_F(Runs, ADrillIsATask) {
     const std::string rows = shown("a", "--csv");
     EXPECT_THAT(rows, HasSubstr("\ntrain,0,3,0,"));
     EXPECT_THAT(rows, HasSubstr("speed_mps="));
-    EXPECT_THAT(rows, ::testing::Not(HasSubstr(",failed,")));
+    EXPECT_THAT(rows, Not(HasSubstr(",failed,")));
     EXPECT_TRUE(std::filesystem::exists(path("a/report/report.html")));
 }
 

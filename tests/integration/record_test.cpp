@@ -160,7 +160,9 @@ TEST_F(Recording, ADamagedFileIsNamedWithThePlace) {
     const auto [text_code, text] = replay(file("text.rec"));
     EXPECT_EQ(text_code, 5);
     EXPECT_THAT(text, HasSubstr("text.rec: is no recording"));
-    EXPECT_EQ(replay(file("missing.rec")).first, 5);
+    const auto [missing_code, missing] = replay(file("missing.rec"));
+    EXPECT_EQ(missing_code, 2);
+    EXPECT_THAT(missing, HasSubstr("File does not exist: " + file("missing.rec")));
 }
 
 }  // namespace

@@ -61,6 +61,8 @@ void NeatSpec::describe(config::Fields& f) {
     f.number("threshold", threshold, {0.0, 1e6}, "", "distance within a species; 0: the profile's");
     f.number("weight_coefficient", weight_coefficient, {-1.0, 1e6}, "",
              "c3 of the distance; -1: the profile's");
+    f.number("perturb", perturb, {-1.0, 1.0}, "",
+             "share of a child's weights that change by a bit, the others are drawn anew; -1: the profile's");
     f.number("perturbation", perturbation, {-1.0, 1e6}, "",
              "standard deviation of a weight's change; -1: the profile's");
     f.number("new_weight", new_weight, {-1.0, 1e6}, "",

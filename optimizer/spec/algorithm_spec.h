@@ -88,6 +88,7 @@ struct NeatSpec {
     int target_species = -1;         ///< -1: the profile's; 0: the threshold stays; else it follows this
     double threshold = 0.0;          ///< compatibility distance of one species; 0: the profile's
     double weight_coefficient = -1.0;  ///< c3 of the distance; this and those below: -1: the profile's
+    double perturb = -1.0;           ///< share of a child's weights that change by a bit; the others are new
     double perturbation = -1.0;      ///< standard deviation of a weight's change
     double new_weight = -1.0;        ///< standard deviation of new weights
     double add_node = -1.0;          ///< chance per child

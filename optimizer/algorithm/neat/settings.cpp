@@ -106,6 +106,7 @@ Settings settings_of(const spec::NeatSpec& spec) {
     }
     if (spec.threshold > 0.0) s.threshold = spec.threshold;
     override_with(s.weight, spec.weight_coefficient, "weight_coefficient");
+    override_with(s.perturb, spec.perturb, "perturb");
     override_with(s.perturbation, spec.perturbation, "perturbation");
     override_with(s.new_weight, spec.new_weight, "new_weight");
     override_with(s.add_node, spec.add_node, "add_node");

@@ -133,6 +133,7 @@ TEST(Profiles, SettingsThatCannotBeAreNamed) {
     EXPECT_EQ(error([](auto&) {}), "no error");
     EXPECT_THAT(error([](auto& s) { s.population = 3; }), HasSubstr("neat.population is 3"));
     EXPECT_THAT(error([](auto& s) { s.add_node = -0.5; }), HasSubstr("neat.add_node is -0.5"));
+    EXPECT_THAT(error([](auto& s) { s.perturb = -0.5; }), HasSubstr("neat.perturb is -0.5"));
     EXPECT_THAT(error([](auto& s) { s.activations = "sigmoid step"; }), HasSubstr("\"step\""));
     EXPECT_THAT(error([](auto& s) { s.activations = " "; }), HasSubstr("names none"));
     EXPECT_THAT(error([](auto& s) { s.recurrent_link = 0.5; }), HasSubstr("feed_forward"));
@@ -141,6 +142,7 @@ TEST(Profiles, SettingsThatCannotBeAreNamed) {
     spec.population = 30;
     spec.target_species = 0;
     spec.add_node = 0.5;
+    spec.perturb = 1.0;
     spec.perturbation = 0.25;
     spec.new_weight = 0.75;
     spec.networks = "recurrent";
@@ -148,6 +150,7 @@ TEST(Profiles, SettingsThatCannotBeAreNamed) {
     EXPECT_EQ(s.population, 30);
     EXPECT_EQ(s.target_species, 0);
     EXPECT_EQ(s.add_node, 0.5);
+    EXPECT_EQ(s.perturb, 1.0);
     EXPECT_EQ(s.perturbation, 0.25);
     EXPECT_EQ(s.new_weight, 0.75);
     EXPECT_TRUE(s.recurrent);

@@ -108,6 +108,8 @@ std::vector<episode::Job> Round::take(const std::vector<episode::Outcome>& outco
             }
             invalid = worth.error();
         }
+        // A late failure of an earlier try says nothing about the one that is under way.
+        if (episode.row || outcome.attempt != episode.job.attempt) continue;
         const episode::Failure failure =
             outcome.ending ? episode::Failure{invalid, {}, {}} : outcome.ending.error();
         end_if_hopeless(outcome.key, failure, ledger);
@@ -154,8 +156,6 @@ void Round::end_if_hopeless(const episode::Key& key, const episode::Failure& fai
 bool Round::fail(Episode& episode, const episode::Outcome& outcome,
                  const episode::Failure& failure, std::vector<ledger::Row>& rows,
                  std::vector<ledger::FailedTry>& failed) {
-    // A late failure of an earlier try says nothing about the one that is under way.
-    if (episode.row || outcome.attempt != episode.job.attempt) return false;
     spdlog::warn("episode {}: try {} of {} failed: {}", outcome.key.text(), outcome.attempt, kTries,
                  failure.reason);
     failed.push_back({outcome.key, outcome.attempt, failure.reason, outcome.worker});

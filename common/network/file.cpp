@@ -30,12 +30,6 @@ constexpr std::array<std::pair<Activation, std::string_view>, 6> kActivations{{
     {Activation::Sine, "sine"},
 }};
 
-std::string_view name_of(Activation activation) {
-    for (const auto& [value, name] : kActivations)
-        if (value == activation) return name;
-    return "linear";
-}
-
 /// Reads values out of one JSON object; every error says where.
 class Reader {
   public:
@@ -89,8 +83,7 @@ class Reader {
 };
 
 Activation activation_from(const Reader& reader, const std::string& name) {
-    for (const auto& [value, known] : kActivations)
-        if (known == name) return value;
+    if (const auto activation = activation_named(name)) return *activation;
     reader.fail(fmt::format(
         "unknown activation \"{}\"; known: linear, sigmoid, tanh, relu, gauss, sine", name));
 }
@@ -131,6 +124,18 @@ Definition from_json(const json& root, const std::string& source) {
 }
 
 }  // namespace
+
+std::string_view name_of(Activation activation) {
+    for (const auto& [value, name] : kActivations)
+        if (value == activation) return name;
+    return "linear";
+}
+
+std::optional<Activation> activation_named(std::string_view name) {
+    for (const auto& [value, known] : kActivations)
+        if (known == name) return value;
+    return std::nullopt;
+}
 
 Definition parse(std::string_view text, std::string_view source) {
     const std::string name(source);

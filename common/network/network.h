@@ -12,6 +12,7 @@
 // form no cycle; a recurrent link carries the value its source had in the evaluation before.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -27,6 +28,10 @@ class NetworkError : public std::invalid_argument {
 
 /// sigmoid: 1 / (1 + exp(-4.9 x)), the slope that the NEAT papers use; gauss: exp(-x^2).
 enum class Activation { Linear, Sigmoid, Tanh, Relu, Gauss, Sine };
+/// As files and settings write it: "linear", "sigmoid", ...
+std::string_view name_of(Activation activation);
+/// None if `name` is none of them.
+std::optional<Activation> activation_named(std::string_view name);
 
 struct Input {
     std::string name;

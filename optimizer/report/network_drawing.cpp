@@ -19,18 +19,6 @@ constexpr double kRow = 60.0;
 constexpr double kMargin = 70.0;
 constexpr double kRadius = 14.0;
 
-const char* word_of(network::Activation activation) {
-    switch (activation) {
-        case network::Activation::Linear: return "linear";
-        case network::Activation::Sigmoid: return "sigmoid";
-        case network::Activation::Tanh: return "tanh";
-        case network::Activation::Relu: return "relu";
-        case network::Activation::Gauss: return "gauss";
-        case network::Activation::Sine: return "sine";
-    }
-    return "linear";
-}
-
 struct Point {
     double x = 0.0;
     double y = 0.0;
@@ -124,7 +112,7 @@ std::string svg_network(const network::Definition& d) {
         out += svg_node(input.name, "", places.at(input.name), "#9aa5ad");
     }
     for (const network::Node& node : d.nodes) {
-        out += svg_node(node.name, fmt::format("{} {:.3g}", word_of(node.activation), node.bias),
+        out += svg_node(node.name, fmt::format("{} {:.3g}", network::name_of(node.activation), node.bias),
                         places.at(node.name), outputs.contains(node.name) ? "#e8a33d" : "#8fbf8f");
     }
     return out + "</svg>\n";

@@ -46,12 +46,6 @@ std::vector<std::string> cells(const SearchReport& s) {
             s.champion};
 }
 
-std::string csv_quoted(const std::string& text) {
-    std::string out = "\"";
-    for (const char c : text) out += c == '"' ? "\"\"" : std::string(1, c);
-    return out + '"';
-}
-
 std::string line_of(const SearchReport& s) {
     if (!s.fault.empty()) return fmt::format("  {:<52} cannot be read: {}\n", name_of(s), s.fault);
     return fmt::format("  {:<52} {:>4} generations {:>7} episodes {:>8.2f} simulated h{}\n", name_of(s),

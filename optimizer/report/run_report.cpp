@@ -228,7 +228,8 @@ std::string report_html(const RunFacts& run) {
            figure(std::to_string(totals.failed), "failed episodes") + "</div>\n";
     out += "<div class=\"plots\">\n" + plots(curves_of(run.ledger, value_names(e)), rows, measure) +
            "</div>\n";
-    out += champion_table(run, rows) + values_table(run) + network_picture(run) + endings(run, rows) + origin(run, facts);
+    out += champion_table(run, rows) + values_table(run) + network_picture(run);
+    out += endings(run, rows) + origin(run, facts);
     return out + "</body></html>\n";
 }
 

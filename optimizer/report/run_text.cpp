@@ -19,13 +19,7 @@ using episode::Phase;
 
 /// RFC 4180: quotes only where they are needed.
 std::string cell(const std::string& text) {
-    if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-    std::string out = "\"";
-    for (const char c : text) {
-        if (c == '"') out += '"';
-        out += c;
-    }
-    return out + '"';
+    return text.find_first_of(",\"\r\n") == std::string::npos ? text : csv_quoted(text);
 }
 
 /// Figures of the EpisodeResult; empty cells for an episode without one.
@@ -98,6 +92,15 @@ std::string toml_value(const std::string& value) {
 }
 
 }  // namespace
+
+std::string csv_quoted(const std::string& text) {
+    std::string out = "\"";
+    for (const char c : text) {
+        if (c == '"') out += '"';
+        out += c;
+    }
+    return out + '"';
+}
 
 std::string csv(const std::vector<ledger::Row>& rows, bool canonical) {
     std::string text =

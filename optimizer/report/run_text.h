@@ -13,6 +13,9 @@
 
 namespace k3d::optimizer::report {
 
+/// A text as a cell of CSV that may hold commas and quotes.
+std::string csv_quoted(const std::string& text);
+
 /// One line per episode, in the order of keys. Canonical: only what follows from experiment and
 /// seed, so that runs on any number of workers, with any faults, give the same bytes.
 std::string csv(const std::vector<ledger::Row>& rows, bool canonical);

@@ -73,5 +73,14 @@ TEST_F(RoundOfTwo, AWorkerThatCannotPlayDoesNotEndARunThatHasResults) {
     EXPECT_EQ(again[0].attempt, 2);
 }
 
+TEST_F(RoundOfTwo, ALateFailureOfAnEarlierTryEndsNothing) {
+    Round first = round(0);
+    const auto jobs = first.missing();
+    const episode::Failure lost{"the worker went away", {}, {}};
+    ASSERT_EQ(first.take({outcome(jobs[0], tl::unexpected(lost))}, ledger_).size(), 1U);
+    EXPECT_TRUE(first.take({outcome(jobs[0], refused())}, ledger_).empty());
+    EXPECT_EQ(first.known(), 0U);
+}
+
 }  // namespace
 }  // namespace k3d::optimizer

@@ -54,14 +54,8 @@ Settings modern() {
     return s;
 }
 
-Activation activation_named(const std::string& name) {
-    constexpr std::pair<const char*, Activation> known[] = {
-        {"linear", Activation::Linear}, {"sigmoid", Activation::Sigmoid},
-        {"tanh", Activation::Tanh},     {"relu", Activation::Relu},
-        {"gauss", Activation::Gauss},   {"sine", Activation::Sine}};
-    for (const auto& [word, value] : known) {
-        if (name == word) return value;
-    }
+Activation activation_in(const std::string& name) {
+    if (const auto activation = network::activation_named(name)) return *activation;
     throw AlgorithmError(fmt::format(
         "neat.activations holds \"{}\"; known: linear, sigmoid, tanh, relu, gauss, sine", name));
 }
@@ -69,7 +63,7 @@ Activation activation_named(const std::string& name) {
 std::vector<Activation> activations_in(const std::string& text) {
     std::vector<Activation> list;
     std::istringstream words(text);
-    for (std::string word; words >> word;) list.push_back(activation_named(word));
+    for (std::string word; words >> word;) list.push_back(activation_in(word));
     if (list.empty()) throw AlgorithmError(fmt::format("neat.activations is \"{}\", names none", text));
     return list;
 }

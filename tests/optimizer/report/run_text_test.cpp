@@ -72,22 +72,23 @@ TEST(Champion, IsWrittenAsTheAgentReadsIt) {
               "# who\nrole_count = 3\n\n[keeper]\nhold = 0.1\n\n[motion.walk]\nstep = 0.02\n");
 }
 
-TEST(Champion, CarriesWhatItsSearchFixedForTheAgents) {
+/// Of a search for keeper.hold that found 0.1 among these fixed settings.
+std::string file_with(const std::string& settings) {
     spec::Experiment e;
     e.parameters = {{"keeper.hold", 1.0, 1.0, 0.0, 5.0}};
-    e.task.settings = "server:physics.stepper=fast agent:keeper.tie=2 keeper:keeper.hold=9";
+    e.task.settings = settings;
     algorithm::Champion champion;
     champion.payload = std::vector<double>{0.1};
-    EXPECT_EQ(champion_file(e, champion, "who"), "# who\n\n[keeper]\nhold = 0.1\ntie = 2\n");
+    return champion_file(e, champion, "who");
+}
+
+TEST(Champion, CarriesWhatItsSearchFixedForTheAgents) {
+    EXPECT_EQ(file_with("server:physics.stepper=fast agent:keeper.tie=2 keeper:keeper.hold=9"),
+              "# who\n\n[keeper]\nhold = 0.1\ntie = 2\n");
 }
 
 TEST(Champion, HasFixedTextsInQuotes) {
-    spec::Experiment e;
-    e.parameters = {{"keeper.hold", 1.0, 1.0, 0.0, 5.0}};
-    e.task.settings = "agent:keeper.policy=handcoded agent:keeper.on=true 'agent:keeper.list=[1, 2]'";
-    algorithm::Champion champion;
-    champion.payload = std::vector<double>{0.1};
-    EXPECT_EQ(champion_file(e, champion, "who"),
+    EXPECT_EQ(file_with("agent:keeper.policy=handcoded agent:keeper.on=true 'agent:keeper.list=[1, 2]'"),
               "# who\n\n[keeper]\nhold = 0.1\nlist = [1, 2]\non = true\npolicy = \"handcoded\"\n");
 }
 

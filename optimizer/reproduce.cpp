@@ -120,13 +120,19 @@ Found find_champion(const Work& work) {
     return best.value();  // check_rows() has seen to it
 }
 
+/// A network's file, and what it says of itself: found files say which candidate of which run they are.
+std::string named(const std::string& file) {
+    const std::string description = network::load_file(file).description;
+    return description.empty() ? file : fmt::format("{}: {}", file, description);
+}
+
 RowPlayer player_of(const Work& work, const spec::RowSpec& row) {
     if (row.takes_best) {
         RowPlayer player{find_champion(work), ""};
         player.who = player.found->origin;
         return player;
     }
-    if (!row.network.empty()) return {std::nullopt, row.network};
+    if (!row.network.empty()) return {std::nullopt, named(row.network)};
     if (row.search.empty()) return {std::nullopt, row.settings.empty() ? "defaults" : row.settings};
     RowPlayer player{found_in(work.search_folder(row.search, row.run)), ""};
     player.who = player.found->origin;
@@ -211,31 +217,50 @@ bool do_parts(Work& work) {
     return true;
 }
 
-/// Throws network::NetworkError if the champion of a file is damaged or of a shape that keepers do not take.
-void check_champion_file(const spec::Budget& budget) {
-    const network::Network champion(network::load_file(budget.champion), budget.champion);
-    const network::Definition both = network::load_file(budget.start.both);
-    const bool values_places = champion.definition().outputs.size() == both.outputs.size();
-    const network::Definition model =
-        values_places ? both : network::load_file(budget.start.targets);
+/// Throws network::NetworkError if the file is damaged, or of other inputs or outputs than the model.
+void require_like(const std::string& file, const network::Definition& model) {
+    const network::Network network(network::load_file(file), file);
     std::vector<std::string_view> inputs;
     for (const network::Input& input : model.inputs) inputs.push_back(input.name);
-    network::require_shape(champion, inputs, model.outputs.size(), budget.champion);
+    network::require_shape(network, inputs, model.outputs.size(), file);
+}
+
+/// The same of one that keepers take: for K1's targets, or for K3's places too.
+void require_keepers_network(const std::string& file, const spec::StartNetworks& start) {
+    const network::Definition both = network::load_file(start.both);
+    const bool values_places = network::load_file(file).outputs.size() == both.outputs.size();
+    require_like(file, values_places ? both : network::load_file(start.targets));
+}
+
+void require_found_networks(const spec::Budget& budget) {
+    for (const spec::Search& search : spec::searches()) {
+        for (const std::string& file : spec::found_files(budget.searches.at(search.name))) {
+            if (search.part == "table1") {
+                require_keepers_network(file, budget.start);
+            } else {
+                require_like(file, network::load_file(budget.start.possession));
+            }
+        }
+    }
 }
 
 /// Before anything is learned: throws network::NetworkError if a network that is to play is missing or
 /// damaged, ConfigError if rows want a champion that the budget does not search.
 void check_rows(const spec::Budget& budget, const std::vector<std::string>& parts) {
-    if (!budget.champion.empty()) check_champion_file(budget);
-    const bool searched = budget.searches.at(budget.champion_search).runs > 0;
+    if (!budget.champion.empty()) require_keepers_network(budget.champion, budget.start);
+    require_found_networks(budget);
+    const spec::SearchBudget& search = budget.searches.at(budget.champion_search);
+    const bool searched = search.runs > 0 && spec::found_files(search).empty();
     for (const std::string& part : parts) {
         for (const spec::TableSpec& table : spec::tables_of(part, budget)) {
             for (const spec::RowSpec& row : table.rows) {
                 if (!row.network.empty()) network::load_file(row.network);
                 if (!row.takes_best || searched) continue;
                 throw config::ConfigError(
-                    fmt::format("{} wants the champion of {}, of which the budget has no run",
-                                table.name, budget.champion_search));
+                    fmt::format("{} wants the champion of {}, {}: name a file as champion", table.name,
+                                budget.champion_search,
+                                search.found.empty() ? "of which the budget has no run"
+                                                     : "of which files do not tell the best"));
             }
         }
     }
@@ -253,7 +278,7 @@ spec::Budget budget_of(const Flags& flags) {
     }
     const std::string networks = flags.experiments + "/networks/";
     budget.start = {networks + "evaluation_linear.json", networks + "open_linear.json",
-                    networks + "getopen_linear.json"};
+                    networks + "getopen_linear.json", networks + "possession_linear.json"};
     check_rows(budget, parts_for(flags.part));
     return budget;
 }

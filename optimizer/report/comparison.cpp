@@ -11,6 +11,7 @@
 #include <set>
 
 #include "optimizer/fitness/fitness.h"
+#include "optimizer/report/run_text.h"
 
 namespace k3d::optimizer::report {
 
@@ -111,6 +112,27 @@ void mark_medians(const Comparison& comparison, ComparedFigure& figure) {
 }
 
 }  // namespace
+
+std::string episodes_csv(const Comparison& comparison) {
+    const std::vector<Figure> figures = figures_of(comparison.table.task);
+    std::string text = "row,episode,seed,status,reason";
+    for (const Figure& figure : figures) text += "," + figure.name;
+    text += '\n';
+    for (const ComparedRow& row : comparison.rows) {
+        for (const ledger::Row& r : row.rows) {
+            text += fmt::format("{},{},{},{},{}", row.spec.key, r.key.episode, r.seed, r.status,
+                                csv_quoted(r.reason));
+            for (const Figure& figure : figures) {
+                const auto value = r.result.empty()
+                                       ? std::nullopt
+                                       : figure.value(r, k3d::episode::from_line(r.result));
+                text += value ? fmt::format(",{}", *value) : ",";
+            }
+            text += '\n';
+        }
+    }
+    return text;
+}
 
 std::string warning(const Comparison& comparison) {
     std::set<std::string> versions;

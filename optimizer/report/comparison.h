@@ -63,5 +63,8 @@ std::string comparison_html(const Comparison& comparison);
 /// A line per row and figure; the head is comparison_csv_head().
 std::string comparison_csv(const Comparison& comparison);
 std::string comparison_csv_head();
+/// A line per row and test episode with the table's figures, those it has: whoever wants other statistics
+/// than ours, or to compare with rows of their own on these seeds, needs no replay.
+std::string episodes_csv(const Comparison& comparison);
 
 }  // namespace k3d::optimizer::report

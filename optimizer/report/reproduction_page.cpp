@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <fstream>
 #include <map>
 
@@ -192,6 +193,10 @@ std::string write_reproduction(const Reproduction& r, const std::string& folder)
     write(folder + "/tables.txt", reproduction_text(r));
     write(folder + "/tables.csv", reproduction_csv(r));
     write(folder + "/searches.csv", searches_csv(r));
+    std::filesystem::create_directories(folder + "/episodes");
+    for (const Comparison& table : r.tables) {
+        write(folder + "/episodes/" + table.table.name + ".csv", episodes_csv(table));
+    }
     return folder + "/report.html";
 }
 

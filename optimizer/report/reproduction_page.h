@@ -41,7 +41,7 @@ std::string reproduction_csv(const Reproduction& reproduction);
 /// A line per run of a search: episodes, simulated hours, generations.
 std::string searches_csv(const Reproduction& reproduction);
 
-/// report.html, tables.txt, tables.csv and searches.csv in `folder`. Throws std::runtime_error naming
+/// report.html, tables.txt, tables.csv, searches.csv and episodes/TABLE.csv in `folder`. Throws std::runtime_error naming
 /// a file that cannot be written. Returns the path of report.html.
 std::string write_reproduction(const Reproduction& reproduction, const std::string& folder);
 

@@ -17,20 +17,36 @@ namespace k3d::optimizer::spec {
 namespace {
 
 constexpr const char* kReference = "algorithm2";
+constexpr const char* kPolicy = "keeper.policy";
+
+/// The first of `found` play as files, the others from their runs.
+std::vector<RowSpec> rows_of(const Search& search, int runs, const std::vector<std::string>& found) {
+    std::vector<RowSpec> rows;
+    for (int run = 1; run <= std::max(runs, static_cast<int>(found.size())); ++run) {
+        RowSpec row{.key = fmt::format("{}-{}", search.name, run),
+                    .label = search.label,
+                    .settings = {},
+                    .search = search.name,
+                    .run = run};
+        if (run <= static_cast<int>(found.size())) {
+            row.network = found[static_cast<std::size_t>(run - 1)];
+            row.network_path = search.network_path;
+        }
+        rows.push_back(row);
+    }
+    if (rows.size() > 1) {
+        for (RowSpec& row : rows) row.label += fmt::format(", run {}", row.run);
+    }
+    return rows;
+}
 
 /// Rows of the runs of every search of a part, in the order of searches().
 void add_learned(std::vector<RowSpec>& rows, const std::string& part, const Budget& budget) {
     for (const Search& search : searches()) {
         if (search.part != part) continue;
-        const int runs = budget.searches.at(search.name).runs;
-        for (int run = 1; run <= runs; ++run) {
-            rows.push_back({.key = fmt::format("{}-{}", search.name, run),
-                            .label = runs > 1 ? fmt::format("{}, run {}", search.label, run)
-                                              : search.label,
-                            .settings = {},
-                            .search = search.name,
-                            .run = run});
-        }
+        const SearchBudget& spent = budget.searches.at(search.name);
+        const auto more = rows_of(search, spent.runs, found_files(spent));
+        rows.insert(rows.end(), more.begin(), more.end());
     }
 }
 
@@ -99,6 +115,11 @@ std::vector<RowSpec> keepaway_baselines(const Budget& budget) {
     return rows;
 }
 
+bool has_network(const TableSpec& table, const std::string& file) {
+    return std::any_of(table.rows.begin(), table.rows.end(),
+                       [&](const RowSpec& row) { return row.network == file; });
+}
+
 std::vector<TableSpec> table1(const Budget& budget) {
     std::vector<TableSpec> tables;
     const auto add = [&](TableSpec table, const std::string& taker) {
@@ -109,7 +130,9 @@ std::vector<TableSpec> table1(const Budget& budget) {
     for (const std::string& taker : split_words(budget.takers)) {
         TableSpec table = keepaway_table("table1-" + taker, "Table 1, takers " + taker, budget);
         add_learned(table.rows, "table1", budget);
-        if (!budget.champion.empty()) table.rows.push_back(champion_file(budget));
+        if (!budget.champion.empty() && !has_network(table, budget.champion)) {
+            table.rows.push_back(champion_file(budget));
+        }
         const auto baselines = keepaway_baselines(budget);
         table.rows.insert(table.rows.end(), baselines.begin(), baselines.end());
         add(std::move(table), taker);
@@ -201,6 +224,12 @@ void check_champion(const Budget& budget) {
     }
 }
 
+void check_found(const Search& search, const SearchBudget& spent) {
+    if (found_files(spent).empty() || !search.network_path.empty()) return;
+    throw std::invalid_argument(fmt::format(
+        "{}: found is '{}', but what this search finds are no networks", search.name, spent.found));
+}
+
 TableSpec drill_table(const std::string& part, const Budget& budget) {
     const bool kick = part == "fig2";
     TableSpec table;
@@ -222,16 +251,20 @@ const std::vector<Search>& searches() {
     static const std::vector<Search> list{
         {"kick", "fig2", "Kick by CMA-ES"},
         {"ball_prediction", "fig3", "Prediction by CMA-ES"},
-        {"possession_neat", "possession", "Network by NEAT"},
-        {"possession_linear", "possession", "Linear network by CMA-ES"},
-        {"keepaway_linear", "table1", "Learned: linear by CMA-ES"},
-        {"keepaway_neat_noise", "table1", "Learned: NEAT with noise handling"},
-        {"keepaway_neat", "table1", "Learned: NEAT as in the paper"},
-        {"keepaway_linear_both", "table1", "Learned: linear by CMA-ES, against takers of both kinds"},
-        {"keepaway_linear_hold", "table1", "Learned: linear by CMA-ES, hold time as fitness"},
-        {"keepaway_linear_getopen", "table1", "Learned: linear by CMA-ES, K3's places too"},
+        {"possession_neat", "possession", "Network by NEAT", "possession.network"},
+        {"possession_linear", "possession", "Linear network by CMA-ES", "possession.network"},
+        {"keepaway_linear", "table1", "Learned: linear by CMA-ES", kPolicy},
+        {"keepaway_neat_noise", "table1", "Learned: NEAT with noise handling", kPolicy},
+        {"keepaway_neat", "table1", "Learned: NEAT as in the paper", kPolicy},
+        {"keepaway_linear_both", "table1", "Learned: linear by CMA-ES, against takers of both kinds", kPolicy},
+        {"keepaway_linear_hold", "table1", "Learned: linear by CMA-ES, hold time as fitness", kPolicy},
+        {"keepaway_linear_getopen", "table1", "Learned: linear by CMA-ES, K3's places too", kPolicy},
         {"keepaway_algorithm2", "table1", "Algorithm 2, constants by CMA-ES"}};
     return list;
+}
+
+std::vector<std::string> found_files(const SearchBudget& search) {
+    return split_words(search.found);
 }
 
 Budget::Budget() {
@@ -270,6 +303,7 @@ Budget load_budget(const std::string& file) {
         check_command("foreign_takers", budget.foreign_takers);
         for (const std::string& side : split_words(budget.sides)) check_side(side);
         for (const auto& [name, search] : budget.searches) split_words(search.set);
+        for (const Search& search : searches()) check_found(search, budget.searches.at(search.name));
         check_champion(budget);
     } catch (const std::invalid_argument& error) {
         throw config::ConfigError(fmt::format("{}: {}", file, error.what()));
@@ -283,7 +317,9 @@ std::vector<SearchRun> runs_in_order(const Budget& budget) {
     for (const auto& [name, search] : budget.searches) rounds = std::max(rounds, search.runs);
     for (int run = 1; run <= rounds; ++run) {
         for (const Search& search : searches()) {
-            if (run <= budget.searches.at(search.name).runs) order.push_back({&search, run});
+            const SearchBudget& spent = budget.searches.at(search.name);
+            const bool is_found = run <= static_cast<int>(found_files(spent).size());
+            if (!is_found && run <= spent.runs) order.push_back({&search, run});
         }
     }
     return order;

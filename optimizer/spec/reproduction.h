@@ -20,6 +20,7 @@ struct Search {
     std::string name;   ///< file NAME.toml among the experiments
     std::string part;
     std::string label;  ///< of its row in the tables
+    std::string network_path = {};  ///< agent's setting that takes the network it finds; empty: finds none
 };
 
 /// All of them, in the order in which they are run.
@@ -28,17 +29,21 @@ const std::vector<Search>& searches();
 struct SearchBudget {
     int runs = 1;
     std::string set;
+    std::string found;  ///< words: files of networks that earlier runs have found, in place of the first runs
     void describe(config::Fields& f) {
         f.integer("runs", runs, {0, 100}, "", "independent runs, with seeds 1, 2, ...; 0: left out");
         f.text("set", set, {}, "words path=value, each stronger than the experiment's file");
+        f.text("found", found, {},
+               "words: networks that earlier runs have found, which play in place of the first runs");
     }
 };
 
-/// Files of networks made by hand: where searches of table 1 start. They play in its tables too.
+/// Files of networks made by hand: where searches start. Those of table 1 play in its tables too.
 struct StartNetworks {
     std::string targets;  ///< values K1's targets
     std::string places;   ///< values K3's places
     std::string both;     ///< values both
+    std::string possession = {};  ///< chooses the state; plays in no table
 };
 
 /// How much is spent on what, and who else plays.
@@ -73,7 +78,10 @@ struct SearchRun {
     int run = 1;
 };
 
-/// In rounds: the first run of every search before any second one, so that an interrupted day of
+/// Those that take the place of the first runs. Throws std::invalid_argument for an open quote.
+std::vector<std::string> found_files(const SearchBudget& search);
+
+/// What is to be searched, in rounds: the first run of every search before any second one, so that an interrupted day of
 /// learning has something of each.
 std::vector<SearchRun> runs_in_order(const Budget& budget);
 
@@ -84,7 +92,7 @@ struct RowSpec {
     std::string settings;  ///< words path=value for the tuned side
     std::string network = {};  ///< file of a network; empty: of the settings
     std::string network_path = "keeper.policy";  ///< setting that takes this file
-    std::string search;    ///< name of the search whose champion plays; empty: `settings` alone
+    std::string search;    ///< name of the search whose champion plays, from its run or as `network`; else empty
     int run = 1;
     bool takes_best = false;  ///< the champion of the budget's champion_search instead
 };

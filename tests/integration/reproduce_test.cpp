@@ -107,6 +107,15 @@ TEST_F(Reproduce, MistakesAreNamed) {
     EXPECT_THAT(content("said"), HasSubstr("open_linear.json"));
     EXPECT_EQ(run(words("transfer"), "said"), 2);
     EXPECT_THAT(content("said"), HasSubstr("transfer-4v3 wants the champion of keepaway_linear_getopen"));
+    const std::string table1 = content("tiny.toml");
+    std::string found = table1;
+    const std::string none = "[possession_neat]\nruns = 0\n";
+    found.replace(found.find(none), none.size(),
+                  "[possession_neat]\nfound = \"" + folder + "open_linear.json\"\n");
+    write("tiny.toml", found);
+    EXPECT_EQ(run(words("possession"), "said"), 2);
+    EXPECT_THAT(content("said"), HasSubstr("open_linear.json"));
+    write("tiny.toml", table1);
     EXPECT_FALSE(std::filesystem::exists(path("out"))) << "nothing was begun";
     bad[3] = "huge";
     EXPECT_EQ(run(bad, "said"), 2);

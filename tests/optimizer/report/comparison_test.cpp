@@ -67,6 +67,15 @@ TEST(Comparison, ByEpisodeAgainstTheReference) {
     EXPECT_EQ(attempts.lines[1].label, "Row a-2");
 }
 
+TEST(Comparison, EveryEpisodeIsALineOfItsFigures) {
+    const std::string csv = episodes_csv(three_rows());
+    EXPECT_THAT(csv, testing::StartsWith("row,episode,seed,status,reason,attempts,hold_time_s,"
+                                         "passes_completed,kicks\na-1,0,0,finished,"
+                                         "\"taker_reached_ball\",4,20,"));
+    EXPECT_THAT(csv, HasSubstr("\na-2,1,0,failed,\"no valid result in 4 tries\",,,,\n"));
+    EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + 6);
+}
+
 TEST(Comparison, ARowThatIsNotPlayedToTheEndSaysSo) {
     Comparison c = three_rows();
     c.table.episodes = 2;

@@ -47,7 +47,7 @@ TEST_P(Budgets, GivesWholeTables) {
     EXPECT_TRUE(names.contains("transfer-4v3"));
 }
 
-INSTANTIATE_TEST_SUITE_P(Reproduction, Budgets, testing::Values("small", "paper", "large"));
+INSTANTIATE_TEST_SUITE_P(Reproduction, Budgets, testing::Values("small", "paper", "large", "published"));
 
 TEST(Reproduction, RowsFollowTheBudget) {
     Budget budget;
@@ -109,6 +109,30 @@ TEST(Reproduction, AChampionLearnedBeforePlaysToo) {
     EXPECT_FALSE(tables_of("transfer", budget).front().rows.front().takes_best);
 }
 
+TEST(Reproduction, FoundNetworksTakeThePlaceOfTheFirstRuns) {
+    Budget budget;
+    for (auto& [name, search] : budget.searches) search.runs = 0;
+    budget.searches["keepaway_linear"] = {.runs = 3, .set = {}, .found = "one.json 'a second.json'"};
+    budget.searches["possession_neat"].found = "three.json";
+    const auto order = runs_in_order(budget);
+    ASSERT_EQ(order.size(), 1u);
+    EXPECT_EQ(order[0].run, 3);
+    const auto rows = tables_of("table1", budget).front().rows;
+    ASSERT_GT(rows.size(), 3u);
+    EXPECT_EQ(rows[1].key, "keepaway_linear-2");
+    EXPECT_EQ(rows[1].network, "a second.json");
+    EXPECT_EQ(rows[1].network_path, "keeper.policy");
+    EXPECT_THAT(rows[1].label, testing::HasSubstr(", run 2"));
+    EXPECT_EQ(rows[2].network, "");
+    EXPECT_EQ(rows[2].search, "keepaway_linear");
+    const RowSpec chooser = tables_of("possession", budget).front().rows.front();
+    EXPECT_EQ(chooser.network_path + "=" + chooser.network, "possession.network=three.json");
+    EXPECT_EQ(chooser.label, "Network by NEAT");
+
+    budget.champion = "one.json";
+    EXPECT_EQ(tables_of("table1", budget).front().rows.size(), rows.size()) << "it plays already";
+}
+
 TEST(Reproduction, AForeignProgramCanTakeTheTakersSeats) {
     Budget budget;
     budget.foreign_takers = "other-agent {host} {port}";
@@ -139,6 +163,7 @@ TEST(Reproduction, MistakesAreNamed) {
     EXPECT_THAT(fault("foreign_takers = \"agent {prot}\"\n"), testing::HasSubstr("prot"));
     EXPECT_THAT(fault("baselines = \"start sitl\"\n"), testing::HasSubstr("sitl"));
     EXPECT_THAT(fault("champion_search = \"kick\"\n"), testing::HasSubstr("kick"));
+    EXPECT_THAT(fault("[kick]\nfound = \"kick.toml\"\n"), testing::HasSubstr("kick.toml"));
     EXPECT_THAT(fault("sides = \"ten\"\n"), testing::HasSubstr("ten"));
     EXPECT_EQ(fault("sides = \"10.5\"\n"), "none");
     std::filesystem::remove(file);

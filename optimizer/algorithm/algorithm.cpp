@@ -70,7 +70,7 @@ void Algorithm::Impl::begin() {
     const int episodes_each = first_episodes(search, spec.sampling);
     entries.clear();
     for (std::size_t i = 0; i < size; ++i) {
-        entries.push_back({next_id++, payload_of(search, problem, i), {episodes_each, {}, false}, {}});
+        entries.push_back({next_id++, payload_of(search, i), {episodes_each, {}, false}, {}});
     }
     phase = Pool::Train;
     round = 0;
@@ -130,7 +130,7 @@ void Algorithm::Impl::learn() {
 }
 
 bool Algorithm::Impl::start_validation(std::vector<Entry> finalists) {
-    if (auto centre = centre_of(search, problem)) {
+    if (auto centre = centre_of(search)) {
         finalists.push_back({next_id++, std::move(*centre), {}, {}});
     }
     // The champion has its figures on these seeds, and an unchanged copy of it would have the same.

@@ -6,8 +6,6 @@
 #include <algorithm>
 #include <limits>
 
-#include "optimizer/algorithm/weights.h"
-
 namespace k3d::optimizer::algorithm {
 namespace {
 
@@ -21,11 +19,12 @@ template <class... Functions>
 Overloaded(Functions...) -> Overloaded<Functions...>;
 
 Coordinates coordinates_of(const spec::AlgorithmSpec& spec, const spec::Problem& problem) {
-    if (const auto* parameters = std::get_if<spec::VectorProblem>(&problem)) {
-        return Coordinates(*parameters);
+    const auto* parameters = std::get_if<spec::VectorProblem>(&problem);
+    if (parameters == nullptr) {
+        throw AlgorithmError(
+            fmt::format("algorithm \"{}\" searches a list of parameters, not a network", spec.name));
     }
-    const network::Definition& network = std::get<spec::NetworkProblem>(problem).start;
-    return Coordinates(weights_of(network, spec.weight_deviation));
+    return Coordinates(*parameters);
 }
 
 void check_size(int population, const Coordinates& space) {
@@ -33,13 +32,6 @@ void check_size(int population, const Coordinates& space) {
         throw AlgorithmError(fmt::format("a population of {} with {} parameters is too large",
                                          population, space.dimension()));
     }
-}
-
-Payload as_payload(std::vector<double> values, const spec::Problem& problem) {
-    if (const auto* sought = std::get_if<spec::NetworkProblem>(&problem)) {
-        return with_weights(sought->start, values);
-    }
-    return values;
 }
 
 }  // namespace
@@ -75,18 +67,18 @@ Search make_search(const spec::AlgorithmSpec& spec, const spec::Problem& problem
     return random_search::Search(spec.random_search, std::move(space), seed);
 }
 
-Payload payload_of(const Search& search, const spec::Problem& problem, std::size_t candidate) {
+Payload payload_of(const Search& search, std::size_t candidate) {
     return std::visit(
         Overloaded{[&](const neat::Search& s) { return Payload(s.network(candidate)); },
-                   [&](const auto& s) { return as_payload(s.values(candidate), problem); }},
+                   [&](const auto& s) { return Payload(s.values(candidate)); }},
         search);
 }
 
-std::optional<Payload> centre_of(const Search& search, const spec::Problem& problem) {
+std::optional<Payload> centre_of(const Search& search) {
     using Centre = std::optional<Payload>;
     return std::visit(Overloaded{[](const neat::Search&) { return Centre(); },
                                  [](const random_search::Search&) { return Centre(); },
-                                 [&](const auto& s) { return Centre(as_payload(s.centre(), problem)); }},
+                                 [](const auto& s) { return Centre(s.centre()); }},
                       search);
 }
 

@@ -24,10 +24,10 @@ Search make_search(const spec::AlgorithmSpec& spec, const spec::Problem& problem
                    std::uint64_t seed);
 
 /// What the agent gets: values, or a network.
-Payload payload_of(const Search& search, const spec::Problem& problem, std::size_t candidate);
+Payload payload_of(const Search& search, std::size_t candidate);
 /// The algorithm's own estimate of the optimum, which no single lucky episode made: the mean of a
 /// distribution. None for those that have no such thing.
-std::optional<Payload> centre_of(const Search& search, const spec::Problem& problem);
+std::optional<Payload> centre_of(const Search& search);
 /// Episodes per candidate at the start of a generation, and how many in all the ranks need.
 int first_episodes(const Search& search, const spec::SamplingSpec& sampling);
 int episodes_wanted(const Search& search, const std::vector<Outcome>& outcomes);

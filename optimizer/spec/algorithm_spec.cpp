@@ -83,8 +83,6 @@ void AlgorithmSpec::describe(config::Fields& f) {
     f.number("max_episodes", max_episodes, {0.0, 1e15}, "",
              "no generation begins after these; 0: no limit");
     f.number("target", target, {-1e300, 1e300}, "", "the run ends when its champion is this good");
-    f.number("weight_deviation", weight_deviation, {1e-9, 1e9}, "",
-             "of the first samples, where a vector algorithm searches the weights of a network");
     f.section("sampling", sampling);
     f.section("cmaes", cmaes);
     f.section("cross_entropy", cross_entropy);

@@ -28,8 +28,9 @@ struct Parameter {
 /// A vector of numbers is sought, by cmaes, cross_entropy or random_search.
 using VectorProblem = std::vector<Parameter>;
 
-/// A network is sought. neat: inputs, outputs and activations are those of `start`; whether its links'
-/// weights matter is NeatSpec::start's choice. The others search weights and biases of `start` as it is.
+/// A network is sought, by neat: inputs, outputs and activations are those of `start`; whether its links'
+/// weights matter is NeatSpec::start's choice. Who searches the weights of a network as it is has a vector
+/// problem: problem_of() in experiment.h.
 struct NetworkProblem {
     network::Definition start;
     bool operator==(const NetworkProblem&) const = default;
@@ -105,7 +106,6 @@ struct AlgorithmSpec {
     std::string name = "cmaes";      ///< cmaes, cross_entropy, random_search or neat
     int max_generations = 1000000;   ///< the run ends after these
     double max_episodes = 0;         ///< no generation begins after these; 0: no limit
-    double weight_deviation = 1.0;   ///< first samples, where a vector algorithm searches weights
     double target = 1e300;  ///< the run ends when its champion has this fitness
     SamplingSpec sampling;
     CmaesSpec cmaes;

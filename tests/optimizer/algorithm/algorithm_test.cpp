@@ -62,7 +62,6 @@ std::vector<Setup> setups() {
     };
     add("cmaes", "cmaes", mixed);
     all[add("cmaes_separable", "cmaes", mixed)].spec.cmaes.covariance = "separable";
-    add("cmaes_of_weights", "cmaes", spec::NetworkProblem{small_network()});
     add("cross_entropy", "cross_entropy", mixed);
     add("random_search", "random_search", mixed);
     all[add("neat", "neat", spec::NetworkProblem{small_network()})].spec.sampling.validate_every = 1;

@@ -7,6 +7,7 @@
 #include <map>
 
 #include "optimizer/algorithm/functions.h"
+#include "optimizer/algorithm/neat/tasks.h"
 
 namespace k3d::optimizer::algorithm {
 namespace {
@@ -42,12 +43,13 @@ TEST(Run, SettingsThatCannotBeAreNamed) {
                 HasSubstr("parameter \"x0\" has bounds -inf to inf"));
     EXPECT_THAT(with([](auto& s) { s.name = "cross_entropy", s.cross_entropy.population = 6; }),
                 HasSubstr("elite of 0.2 of a population of 6"));
-    EXPECT_THAT(with([](auto& s) { s.cmaes.population = 100000, s.weight_deviation = 1.0; }),
-                "no error");
+    EXPECT_THAT(with([](auto& s) { s.cmaes.population = 100000; }), "no error");
     EXPECT_THAT(error_of({}, spec::VectorProblem{}), HasSubstr("no parameter to search"));
     spec::AlgorithmSpec neat;
     neat.name = "neat";
     EXPECT_THAT(error_of(neat, spec::NetworkProblem{}), HasSubstr("no inputs"));
+    EXPECT_THAT(error_of({}, spec::NetworkProblem{testing::empty_network(3, 1)}),
+                HasSubstr("not a network"));
 }
 
 TEST(Run, EndsAtItsLimits) {

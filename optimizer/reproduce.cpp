@@ -91,7 +91,6 @@ bool learn(Work& work, const spec::Search& search, int number) {
     const std::string file = file_of(work, search);
     const spec::Overrides overrides = overrides_of(work, search, number);
     const bool begun = fs::exists(ledger_file(folder));
-    if (begun) Run::require(folder, file, overrides);
     if (begun && found_in(folder).finished) return true;
     const std::string command = fmt::format("k3d-optimizer reproduce {} --budget {}",
                                             work.flags.part, work.flags.budget);
@@ -204,6 +203,21 @@ report::Reproduction gather(const Work& work) {
     return out;
 }
 
+/// A mistake in the last search must not be found when the others have taken hours.
+void check_searches(const Work& work) {
+    for (const auto& [search, run] : spec::runs_in_order(work.budget)) {
+        if (!is_needed(work, *search)) continue;
+        const std::string folder = work.search_folder(search->name, run);
+        const std::string file = file_of(work, *search);
+        const spec::Overrides overrides = overrides_of(work, *search, run);
+        if (fs::exists(ledger_file(folder))) {
+            Run::require(folder, file, overrides);
+        } else {
+            Run::check(file, overrides);
+        }
+    }
+}
+
 /// All searches that are needed, then each part's tables; false if the user wants to stop.
 bool do_parts(Work& work) {
     for (const auto& [search, run] : spec::runs_in_order(work.budget)) {
@@ -298,6 +312,7 @@ int reproduce(Flags flags) {
     }
     report::RunProgress progress(std::cout, ::isatty(STDOUT_FILENO) == 1);
     Work work{flags, budget_of(flags), parts_for(flags.part), progress, {}};
+    check_searches(work);
     fs::create_directories(flags.out);
     bool done = false;
     try {

@@ -150,6 +150,10 @@ Run Run::begin(const std::string& file, const spec::Overrides& overrides,
     return Run(folder, std::move(lock), ledger::Ledger::create(ledger_file(folder), facts));
 }
 
+void Run::check(const std::string& file, const spec::Overrides& overrides) {
+    new_algorithm(experiment_of(facts_of(file, overrides)), file);
+}
+
 void Run::require(const std::string& folder, const std::string& file,
                   const spec::Overrides& overrides) {
     const auto ledger = ledger::Ledger::open(ledger_file(folder), ledger::Ledger::Access::Read);

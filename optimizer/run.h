@@ -24,6 +24,8 @@ class Run {
     /// the experiment, LedgerError if the folder has a run.
     static Run begin(const std::string& file, const spec::Overrides& overrides,
                      const std::string& folder, const std::string& command);
+    /// Throws what begin() would for the experiment, and begins nothing.
+    static void check(const std::string& file, const spec::Overrides& overrides);
     /// Throws LedgerError if the run in `folder` is of another experiment than begin() would make of
     /// these: other text, network or overrides.
     static void require(const std::string& folder, const std::string& file,

@@ -116,6 +116,14 @@ TEST_F(Reproduce, MistakesAreNamed) {
     EXPECT_EQ(run(words("possession"), "said"), 2);
     EXPECT_THAT(content("said"), HasSubstr("open_linear.json"));
     write("tiny.toml", table1);
+    std::string late = table1;
+    const std::string last = "[keepaway_algorithm2]\nruns = 0\n";
+    late.replace(late.find(last), last.size(),
+                 "[keepaway_algorithm2]\nruns = 2\nset = \"algorithm.cmaes.population=1\"\n");
+    write("tiny.toml", late);
+    EXPECT_EQ(run(words("table1"), "said"), 2);
+    EXPECT_THAT(content("said"), HasSubstr("cmaes.population"));
+    write("tiny.toml", table1);
     EXPECT_FALSE(std::filesystem::exists(path("out"))) << "nothing was begun";
     bad[3] = "huge";
     EXPECT_EQ(run(bad, "said"), 2);

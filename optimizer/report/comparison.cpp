@@ -71,16 +71,45 @@ std::map<int, double> values_of(const ComparedRow& row, const Figure& figure) {
     return values;
 }
 
-std::optional<Paired> paired_by_episode(const std::map<int, double>& a,
-                                        const std::map<int, double>& b) {
-    std::vector<double> of_a, of_b;
+/// By episode, of those with a valid result.
+std::map<int, Lifetime> lifetimes_of(const ComparedRow& row) {
+    std::map<int, Lifetime> lives;
+    for (const ledger::Row& r : row.rows) {
+        if (r.result.empty()) continue;
+        const Result result = k3d::episode::from_line(r.result);
+        lives[r.key.episode] = {result.hold_time_s,
+                                result.status != k3d::episode::Status::Truncated};
+    }
+    return lives;
+}
+
+/// What both rows have, in the order of episodes.
+template <typename T>
+std::pair<std::vector<T>, std::vector<T>> pairs_of(const std::map<int, T>& a,
+                                                   const std::map<int, T>& b) {
+    std::pair<std::vector<T>, std::vector<T>> out;
     for (const auto& [episode, value] : a) {
         const auto other = b.find(episode);
         if (other == b.end()) continue;
-        of_a.push_back(value);
-        of_b.push_back(other->second);
+        out.first.push_back(value);
+        out.second.push_back(other->second);
     }
-    return paired(of_a, of_b);
+    return out;
+}
+
+template <typename T>
+std::vector<T> sample_of(const std::map<int, T>& by_episode) {
+    std::vector<T> sample;
+    for (const auto& [episode, value] : by_episode) sample.push_back(value);
+    return sample;
+}
+
+/// None if the reference row is not played.
+const ComparedRow* reference_of(const Comparison& comparison) {
+    const auto found = std::find_if(
+        comparison.rows.begin(), comparison.rows.end(),
+        [&](const ComparedRow& row) { return row.spec.key == comparison.table.reference; });
+    return found == comparison.rows.end() ? nullptr : &*found;
 }
 
 void add_holm(ComparedFigure& figure) {
@@ -143,31 +172,46 @@ std::string warning(const Comparison& comparison) {
 }
 
 std::vector<ComparedFigure> compare(const Comparison& comparison) {
-    const auto reference = std::find_if(
-        comparison.rows.begin(), comparison.rows.end(),
-        [&](const ComparedRow& row) { return row.spec.key == comparison.table.reference; });
+    const ComparedRow* reference = reference_of(comparison);
     std::vector<ComparedFigure> out;
     for (const Figure& figure : figures_of(comparison.table.task)) {
         ComparedFigure compared{figure.name, figure.title, {}};
-        const auto base = reference == comparison.rows.end() ? std::map<int, double>()
-                                                             : values_of(*reference, figure);
+        const auto base =
+            reference == nullptr ? std::map<int, double>() : values_of(*reference, figure);
         for (const ComparedRow& row : comparison.rows) {
             const auto values = values_of(row, figure);
-            std::vector<double> sample;
-            for (const auto& [episode, value] : values) sample.push_back(value);
-            ComparedLine line{row.spec.key, row.spec.label, statistics(sample), std::nullopt};
+            ComparedLine line{row.spec.key, row.spec.label, statistics(sample_of(values)),
+                              std::nullopt};
             if (row.rows.size() < static_cast<std::size_t>(comparison.table.episodes)) {
                 line.label += fmt::format(" (unfinished: {} of {})", row.rows.size(),
                                           comparison.table.episodes);
             }
-            if (row.spec.key != comparison.table.reference) {
-                line.against = paired_by_episode(values, base);
+            if (&row != reference) {
+                const auto [ours, theirs] = pairs_of(values, base);
+                line.against = paired(ours, theirs);
             }
             compared.lines.push_back(std::move(line));
         }
         add_holm(compared);
         mark_medians(comparison, compared);
         out.push_back(std::move(compared));
+    }
+    return out;
+}
+
+std::vector<SurvivalLine> compare_survival(const Comparison& comparison) {
+    if (comparison.table.task.name != "keepaway") return {};
+    const ComparedRow* reference = reference_of(comparison);
+    const auto base = reference == nullptr ? std::map<int, Lifetime>() : lifetimes_of(*reference);
+    std::vector<SurvivalLine> out;
+    for (const ComparedRow& row : comparison.rows) {
+        const auto lives = lifetimes_of(row);
+        SurvivalLine line{row.spec.key, row.spec.label, survival(sample_of(lives)), std::nullopt};
+        if (&row != reference) {
+            const auto [ours, theirs] = pairs_of(lives, base);
+            line.against = survival_test(ours, theirs);
+        }
+        out.push_back(std::move(line));
     }
     return out;
 }

@@ -10,6 +10,7 @@
 #include "optimizer/ledger/row.h"
 #include "optimizer/report/paired.h"
 #include "optimizer/report/statistics.h"
+#include "optimizer/report/survival.h"
 #include "optimizer/spec/reproduction.h"
 
 namespace k3d::optimizer::report {
@@ -42,6 +43,14 @@ struct ComparedFigure {
     std::vector<ComparedLine> lines;
 };
 
+/// One row in how long possession lasts, with what the time limit cut off.
+struct SurvivalLine {
+    std::string key;
+    std::string label;
+    Survival s;
+    std::optional<SurvivalTest> against;  ///< as above
+};
+
 /// How the episodes of a row went apart from its figures.
 struct Circumstances {
     std::size_t episodes = 0;
@@ -56,6 +65,9 @@ struct Circumstances {
 /// Empty, or that rows of this table were played by different versions of the code, and which.
 std::string warning(const Comparison& comparison);
 std::vector<ComparedFigure> compare(const Comparison& comparison);
+/// A line per row of keepaway; empty for drills, whose time is not one that somebody keeps the
+/// ball.
+std::vector<SurvivalLine> compare_survival(const Comparison& comparison);
 Circumstances circumstances(const ComparedRow& row);
 
 std::string comparison_text(const Comparison& comparison);

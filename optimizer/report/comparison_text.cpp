@@ -42,9 +42,12 @@ std::vector<std::string> cells(const ComparedLine& line) {
     return out;
 }
 
-const std::vector<std::pair<std::string, std::size_t>> kHeads{
-    {"n", 5},          {"mean", 7},       {"sd", 7},       {"se", 6},          {"95 %", 14},
-    {"pairs", 5}, {"difference", 24}, {"ratio", 18}, {"p", 8}, {"p Holm", 8}, {"p Wilcoxon", 10}};
+/// Names of columns, and how wide they are in text.
+using Heads = std::vector<std::pair<std::string, std::size_t>>;
+
+const Heads kHeads{{"n", 5},     {"mean", 7},   {"sd", 7},          {"se", 6},
+                   {"95 %", 14}, {"pairs", 5},  {"difference", 24}, {"ratio", 18},
+                   {"p", 8},     {"p Holm", 8}, {"p Wilcoxon", 10}};
 
 /// The paper's figures under one of ours; empty for one that it does not have.
 std::vector<std::pair<std::string, std::string>> paper_lines(const Comparison& c,
@@ -67,19 +70,37 @@ std::string reference_label(const Comparison& c) {
     return "-";
 }
 
+std::string text_head(const std::string& title, const Heads& heads) {
+    std::string text = fmt::format("\n{}\n{:<52}", title, "");
+    for (const auto& [head, width] : heads) text += fmt::format(" {:>{}}", head, width);
+    return text + '\n';
+}
+
+std::string text_row(const std::string& label, const std::vector<std::string>& said,
+                     const Heads& heads) {
+    std::string text = fmt::format("{:<52}", label);
+    for (std::size_t i = 0; i < said.size(); ++i)
+        text += fmt::format(" {:>{}}", said[i], heads[i].second);
+    text.erase(text.find_last_not_of(' ') + 1);
+    return text + '\n';
+}
+
+std::string html_head(const std::string& title, const Heads& heads) {
+    std::string out =
+        fmt::format("<h3>{}</h3>\n<div class=\"wide\"><table><tr><th></th>", escape(title));
+    for (const auto& [head, width] : heads) out += fmt::format("<th>{}</th>", head);
+    return out + "</tr>\n";
+}
+
+std::string html_row(const std::string& label, const std::vector<std::string>& said) {
+    std::string out = fmt::format("<tr><td>{}</td>", escape(label));
+    for (const std::string& cell : said) out += fmt::format("<td>{}</td>", escape(cell));
+    return out + "</tr>\n";
+}
+
 std::string figure_text(const Comparison& c, const ComparedFigure& figure) {
-    std::string text = fmt::format("\n{}\n{:<52}", figure.title, "");
-    for (const auto& [head, width] : kHeads) text += fmt::format(" {:>{}}", head, width);
-    text += '\n';
-    for (const ComparedLine& line : figure.lines) {
-        text += fmt::format("{:<52}", line.label);
-        const auto said = cells(line);
-        for (std::size_t i = 0; i < said.size(); ++i) {
-            text += fmt::format(" {:>{}}", said[i], kHeads[i].second);
-        }
-        text.erase(text.find_last_not_of(' ') + 1);
-        text += '\n';
-    }
+    std::string text = text_head(figure.title, kHeads);
+    for (const ComparedLine& line : figure.lines) text += text_row(line.label, cells(line), kHeads);
     for (const auto& [label, said] : paper_lines(c, figure.name)) {
         text += fmt::format("{:<52} {}\n", label, said);
     }
@@ -87,19 +108,45 @@ std::string figure_text(const Comparison& c, const ComparedFigure& figure) {
 }
 
 std::string figure_html(const Comparison& c, const ComparedFigure& figure) {
-    std::string out = fmt::format("<h3>{}</h3>\n<div class=\"wide\"><table><tr><th></th>",
-                                  escape(figure.title));
-    for (const auto& [head, width] : kHeads) out += fmt::format("<th>{}</th>", head);
-    out += "</tr>\n";
-    for (const ComparedLine& line : figure.lines) {
-        out += fmt::format("<tr><td>{}</td>", escape(line.label));
-        for (const std::string& said : cells(line)) out += fmt::format("<td>{}</td>", escape(said));
-        out += "</tr>\n";
-    }
+    std::string out = html_head(figure.title, kHeads);
+    for (const ComparedLine& line : figure.lines) out += html_row(line.label, cells(line));
     for (const auto& [label, said] : paper_lines(c, figure.name)) {
         out += fmt::format("<tr class=\"dim\"><td>{}</td><td colspan=\"11\">{}</td></tr>\n",
                            escape(label), escape(said));
     }
+    return out + "</table></div>\n";
+}
+
+constexpr const char* kSurvivalTitle =
+    "Possession with the time limit counted: seconds held per episode that ended";
+const Heads kSurvivalHeads{
+    {"ended", 6}, {"at limit", 8}, {"s per end", 9}, {"ratio", 18}, {"p log-rank", 10}};
+
+std::vector<std::string> cells(const SurvivalLine& line) {
+    std::vector<std::string> out{std::to_string(line.s.ended), std::to_string(line.s.cut),
+                                 number(line.s.s_per_end), "", ""};
+    if (!line.against) return out;
+    const SurvivalTest& t = *line.against;
+    out[3] =
+        t.ratio ? fmt::format("{:.2f} ({:.2f}..{:.2f})", *t.ratio, t.ratio_low, t.ratio_high) : "-";
+    out[4] = p_value(t.p_log_rank);
+    return out;
+}
+
+std::string survival_text(const Comparison& c) {
+    const auto lines = compare_survival(c);
+    if (lines.empty()) return "";
+    std::string text = text_head(kSurvivalTitle, kSurvivalHeads);
+    for (const SurvivalLine& line : lines)
+        text += text_row(line.label, cells(line), kSurvivalHeads);
+    return text;
+}
+
+std::string survival_html(const Comparison& c) {
+    const auto lines = compare_survival(c);
+    if (lines.empty()) return "";
+    std::string out = html_head(kSurvivalTitle, kSurvivalHeads);
+    for (const SurvivalLine& line : lines) out += html_row(line.label, cells(line));
     return out + "</table></div>\n";
 }
 
@@ -115,6 +162,54 @@ std::vector<std::pair<std::string, std::string>> said_of(const ComparedRow& row)
             {"who", row.origin}};
 }
 
+std::string csv_cell(const std::optional<double>& value) {
+    return value ? fmt::format("{}", *value) : std::string();
+}
+
+/// The columns that say of a row how it was played.
+std::string csv_tail(const Circumstances& s) {
+    return fmt::format(",{},{},{}", csv_cell(s.taker_speed), s.failed, s.truncated);
+}
+
+std::string csv_line(const spec::TableSpec& table, const std::string& figure,
+                     const ComparedLine& line, const Circumstances& said) {
+    const auto half = half_width_95(line.s);
+    std::string text =
+        fmt::format("{},{},\"{}\",{},{},{},{},{},{},{},{}", table.name, line.key, line.label,
+                    figure, line.s.n, csv_cell(line.s.mean), csv_cell(line.s.sd),
+                    csv_cell(line.s.se), half ? csv_cell(*line.s.mean - *half) : "",
+                    half ? csv_cell(*line.s.mean + *half) : "", table.reference);
+    if (const auto& p = line.against) {
+        const bool ratio = p->ratio.has_value();
+        text += fmt::format(",{},{},{},{},{},{},{},{},{},{},{}", p->n, p->difference, p->low,
+                            p->high, csv_cell(p->ratio), ratio ? csv_cell(p->ratio_low) : "",
+                            ratio ? csv_cell(p->ratio_high) : "", p->p_permutation, line.p_holm,
+                            p->p_wilcoxon, p->correlation);
+    } else {
+        text += std::string(11, ',');
+    }
+    return text + csv_tail(said) + ",\n";
+}
+
+/// In the same columns; of the mean and the ratio of what ended alone, so without spread or
+/// interval of the mean.
+std::string csv_line(const spec::TableSpec& table, const SurvivalLine& line,
+                     const Circumstances& said) {
+    std::string text =
+        fmt::format("{},{},\"{}\",hold_s_per_end,{},{},,,,,{}", table.name, line.key, line.label,
+                    line.s.ended + line.s.cut, csv_cell(line.s.s_per_end), table.reference);
+    if (const auto& t = line.against) {
+        const bool ratio = t->ratio.has_value();
+        text +=
+            fmt::format(",{},,,,{},{},{},,,,", t->pairs, csv_cell(t->ratio),
+                        ratio ? csv_cell(t->ratio_low) : "", ratio ? csv_cell(t->ratio_high) : "");
+    } else {
+        text += std::string(11, ',');
+    }
+    return text + csv_tail(said) +
+           (line.against ? fmt::format(",{}\n", line.against->p_log_rank) : ",\n");
+}
+
 }  // namespace
 
 std::string comparison_text(const Comparison& c) {
@@ -122,6 +217,7 @@ std::string comparison_text(const Comparison& c) {
     text += fmt::format("differences, ratios and p against: {}, by seed\n", reference_label(c));
     if (const std::string said = warning(c); !said.empty()) text += said + "\n";
     for (const ComparedFigure& figure : compare(c)) text += figure_text(c, figure);
+    text += survival_text(c);
     text += '\n';
     for (const ComparedRow& row : c.rows) {
         text += row.spec.label + ":";
@@ -140,6 +236,7 @@ std::string comparison_html(const Comparison& c) {
         escape(c.table.title), escape(reference_label(c)));
     if (const std::string said = warning(c); !said.empty()) out += "<p>" + escape(said) + "</p>\n";
     for (const ComparedFigure& figure : compare(c)) out += figure_html(c, figure);
+    out += survival_html(c);
     out += "<div class=\"wide\"><table><tr><th></th>";
     for (const ComparedRow& row : c.rows) {
         if (&row == &c.rows.front()) {
@@ -154,38 +251,23 @@ std::string comparison_html(const Comparison& c) {
 }
 
 std::string comparison_csv_head() {
-    return "table,row,label,figure,n,mean,sd,se,low_95,high_95,reference,pairs,difference,difference_low_95,"
+    return "table,row,label,figure,n,mean,sd,se,low_95,high_95,reference,pairs,difference,"
+           "difference_low_95,"
            "difference_high_95,ratio,ratio_low_95,ratio_high_95,p_permutation,p_holm,p_wilcoxon,"
-           "correlation,taker_speed_mps,failed,truncated\n";
+           "correlation,taker_speed_mps,failed,truncated,p_log_rank\n";
 }
 
 std::string comparison_csv(const Comparison& c) {
-    const auto cell = [](const std::optional<double>& value) {
-        return value ? fmt::format("{}", *value) : std::string();
-    };
+    std::vector<Circumstances> said;
+    for (const ComparedRow& row : c.rows) said.push_back(circumstances(row));
     std::string text;
     for (const ComparedFigure& figure : compare(c)) {
         for (std::size_t i = 0; i < figure.lines.size(); ++i) {
-            const ComparedLine& line = figure.lines[i];
-            const Circumstances s = circumstances(c.rows[i]);
-            const auto half = half_width_95(line.s);
-            text += fmt::format("{},{},\"{}\",{},{},{},{},{},{},{},{}", c.table.name, line.key,
-                                line.label, figure.name, line.s.n, cell(line.s.mean),
-                                cell(line.s.sd), cell(line.s.se),
-                                half ? cell(*line.s.mean - *half) : "",
-                                half ? cell(*line.s.mean + *half) : "", c.table.reference);
-            if (const auto& p = line.against) {
-                const bool ratio = p->ratio.has_value();
-                text += fmt::format(",{},{},{},{},{},{},{},{},{},{},{}", p->n, p->difference, p->low, p->high,
-                                    cell(p->ratio), ratio ? cell(p->ratio_low) : "",
-                                    ratio ? cell(p->ratio_high) : "", p->p_permutation,
-                                    line.p_holm, p->p_wilcoxon, p->correlation);
-            } else {
-                text += std::string(11, ',');
-            }
-            text += fmt::format(",{},{},{}\n", cell(s.taker_speed), s.failed, s.truncated);
+            text += csv_line(c.table, figure.name, figure.lines[i], said[i]);
         }
     }
+    const auto lines = compare_survival(c);
+    for (std::size_t i = 0; i < lines.size(); ++i) text += csv_line(c.table, lines[i], said[i]);
     return text;
 }
 

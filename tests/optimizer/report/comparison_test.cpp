@@ -124,6 +124,31 @@ TEST(Comparison, ThePaperStandsBeside) {
     const std::string last = csv.substr(csv.rfind('\n', csv.size() - 2) + 1);
     EXPECT_EQ(columns(first), columns(comparison_csv_head()));
     EXPECT_EQ(columns(last), columns(comparison_csv_head())) << "the reference, which is without pairs";
+    EXPECT_THAT(csv, HasSubstr("table1-greedy,a-1,\"Row a-1\",hold_s_per_end,2,25,"));
+}
+
+TEST(Comparison, ATimeLimitIsCountedForAsLongAsItLasted) {
+    Comparison c = three_rows();
+    c.table.task.name = "keepaway";
+    ledger::Row& cut = c.rows[0].rows[1];  // of 30 s
+    auto result = k3d::episode::from_line(cut.result);
+    result.status = k3d::episode::Status::Truncated;
+    cut.result = k3d::episode::to_line(result);
+    const auto lines = compare_survival(c);
+    ASSERT_EQ(lines.size(), 3u);
+    EXPECT_EQ(lines[0].s.ended, 1u);
+    EXPECT_EQ(lines[0].s.cut, 1u);
+    EXPECT_DOUBLE_EQ(*lines[0].s.s_per_end, 50.0);
+    ASSERT_TRUE(lines[0].against);
+    EXPECT_DOUBLE_EQ(*lines[0].against->ratio, 50.0 / 17.5);
+    EXPECT_FALSE(lines[1].against) << "one pair is left";
+    EXPECT_FALSE(lines[2].against) << "the reference itself";
+    EXPECT_THAT(comparison_text(c), HasSubstr("seconds held per episode that ended"));
+    EXPECT_THAT(comparison_html(c),
+                HasSubstr("<td>Row a-1</td><td>1</td><td>1</td><td>50.00</td>"));
+    c.table.task.name = "kick";
+    EXPECT_TRUE(compare_survival(c).empty());
+    EXPECT_THAT(comparison_text(c), testing::Not(HasSubstr("per episode that ended")));
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 
 #include "common/log/log.h"
 #include "common/random/stream.h"
+#include "optimizer/report/bootstrap.h"
 #include "optimizer/report/run_text.h"
 #include "optimizer/report/statistics.h"
 
@@ -15,7 +16,6 @@ namespace k3d::optimizer::report {
 namespace {
 
 constexpr int kFlips = 20000;  // the smallest p that can be told is 1 / 20001
-constexpr int kDraws = 10000;
 
 double sum(const std::vector<double>& values) {
     return std::accumulate(values.begin(), values.end(), 0.0);
@@ -68,24 +68,18 @@ void add_ratio(const std::vector<double>& a, const std::vector<double>& b, Paire
     if (std::any_of(a.begin(), a.end(), negative) || std::any_of(b.begin(), b.end(), negative)) return;
     if (!(sum(b) > 0.0)) return;
     out.ratio = sum(a) / sum(b);
-    RandomStream stream(1, "paired", "bootstrap");
-    std::vector<double> ratios;
-    for (int draw = 0; draw < kDraws; ++draw) {
+    const auto ratio = [&](const std::vector<std::size_t>& drawn) -> std::optional<double> {
         double of_a = 0.0, of_b = 0.0;
-        for (std::size_t i = 0; i < a.size(); ++i) {
-            const auto k = static_cast<std::size_t>(stream.below(static_cast<int>(a.size())));
+        for (const std::size_t k : drawn) {
             of_a += a[k];
             of_b += b[k];
         }
-        if (of_b > 0.0) ratios.push_back(of_a / of_b);
-    }
-    if (ratios.empty()) return;
-    std::sort(ratios.begin(), ratios.end());
-    const auto at = [&](double share) {
-        return ratios[static_cast<std::size_t>(share * static_cast<double>(ratios.size() - 1))];
+        return of_b > 0.0 ? std::optional(of_a / of_b) : std::nullopt;
     };
-    out.ratio_low = at(0.025);
-    out.ratio_high = at(0.975);
+    const auto interval = bootstrap_95(a.size(), RandomStream(1, "paired", "bootstrap"), ratio);
+    if (!interval) return;
+    out.ratio_low = interval->low;
+    out.ratio_high = interval->high;
 }
 
 double correlation(const std::vector<double>& a, const std::vector<double>& b) {

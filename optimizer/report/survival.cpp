@@ -6,12 +6,11 @@
 
 #include "common/log/log.h"
 #include "common/random/stream.h"
+#include "optimizer/report/bootstrap.h"
 
 namespace k3d::optimizer::report {
 
 namespace {
-
-constexpr int kDraws = 10000;
 
 struct Sums {
     double watched_s = 0.0;
@@ -35,24 +34,18 @@ std::optional<double> ratio_of(const Sums& a, const Sums& b) {
 
 void add_interval(const std::vector<Lifetime>& a, const std::vector<Lifetime>& b,
                   SurvivalTest& out) {
-    RandomStream stream(1, "survival", "bootstrap");
-    std::vector<double> ratios;
-    for (int draw = 0; draw < kDraws; ++draw) {
+    const auto ratio = [&](const std::vector<std::size_t>& drawn) {
         Sums of_a, of_b;
-        for (std::size_t i = 0; i < a.size(); ++i) {
-            const auto k = static_cast<std::size_t>(stream.below(static_cast<int>(a.size())));
+        for (const std::size_t k : drawn) {
             of_a.add(a[k]);
             of_b.add(b[k]);
         }
-        if (const auto ratio = ratio_of(of_a, of_b)) ratios.push_back(*ratio);
-    }
-    if (ratios.empty()) return;
-    std::sort(ratios.begin(), ratios.end());
-    const auto at = [&](double share) {
-        return ratios[static_cast<std::size_t>(share * static_cast<double>(ratios.size() - 1))];
+        return ratio_of(of_a, of_b);
     };
-    out.ratio_low = at(0.025);
-    out.ratio_high = at(0.975);
+    const auto interval = bootstrap_95(a.size(), RandomStream(1, "survival", "bootstrap"), ratio);
+    if (!interval) return;
+    out.ratio_low = interval->low;
+    out.ratio_high = interval->high;
 }
 
 /// At each time at which one ends: how many of `a` did, less how many would have if all under watch

@@ -7,9 +7,11 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
 #include <iostream>
 #include <memory>
 
+#include "common/config/config.h"
 #include "common/network/network.h"
 #include "common/version/version.h"
 #include "optimizer/backend/local_backend.h"
@@ -125,6 +127,14 @@ std::string named(const std::string& file) {
     return description.empty() ? file : fmt::format("{}: {}", file, description);
 }
 
+/// A configuration's file, and the comment it begins with: found files say there who they are.
+std::string headed(const std::string& file) {
+    std::ifstream in(file);
+    std::string head;
+    std::getline(in, head);
+    return head.starts_with("# ") ? fmt::format("{}: {}", file, head.substr(2)) : file;
+}
+
 RowPlayer player_of(const Work& work, const spec::RowSpec& row) {
     if (row.takes_best) {
         RowPlayer player{find_champion(work), ""};
@@ -132,6 +142,7 @@ RowPlayer player_of(const Work& work, const spec::RowSpec& row) {
         return player;
     }
     if (!row.network.empty()) return {std::nullopt, named(row.network)};
+    if (!row.settings_file.empty()) return {std::nullopt, headed(row.settings_file)};
     if (row.search.empty()) return {std::nullopt, row.settings.empty() ? "defaults" : row.settings};
     RowPlayer player{found_in(work.search_folder(row.search, row.run)), ""};
     player.who = player.found->origin;
@@ -246,10 +257,12 @@ void require_keepers_network(const std::string& file, const spec::StartNetworks&
     require_like(file, values_places ? both : network::load_file(start.targets));
 }
 
-void require_found_networks(const spec::Budget& budget) {
+void require_found(const spec::Budget& budget) {
     for (const spec::Search& search : spec::searches()) {
         for (const std::string& file : spec::found_files(budget.searches.at(search.name))) {
-            if (search.part == "table1") {
+            if (search.network_path.empty()) {
+                config::assignments_of_file(file);
+            } else if (search.part == "table1") {
                 require_keepers_network(file, budget.start);
             } else {
                 require_like(file, network::load_file(budget.start.possession));
@@ -258,11 +271,11 @@ void require_found_networks(const spec::Budget& budget) {
     }
 }
 
-/// Before anything is learned: throws network::NetworkError if a network that is to play is missing or
-/// damaged, ConfigError if rows want a champion that the budget does not search.
+/// Before anything is learned: throws network::NetworkError or ConfigError if a file that is to play is
+/// missing or damaged, ConfigError if rows want a champion that the budget does not search.
 void check_rows(const spec::Budget& budget, const std::vector<std::string>& parts) {
     if (!budget.champion.empty()) require_keepers_network(budget.champion, budget.start);
-    require_found_networks(budget);
+    require_found(budget);
     const spec::SearchBudget& search = budget.searches.at(budget.champion_search);
     const bool searched = search.runs > 0 && spec::found_files(search).empty();
     for (const std::string& part : parts) {

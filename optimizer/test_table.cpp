@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "common/config/config.h"
 #include "common/network/network.h"
 #include "common/version/version.h"
 #include "optimizer/backend/local_backend.h"
@@ -51,6 +52,14 @@ std::vector<std::string> fixed_settings(const RowPlayer& player) {
     return spec::parse_settings(player.found->experiment.task.settings).keeper;
 }
 
+std::vector<std::string> settings_of(const spec::RowSpec& row) {
+    std::vector<std::string> settings;
+    if (!row.settings_file.empty()) settings = config::assignments_of_file(row.settings_file);
+    const std::vector<std::string> words = spec::split_words(row.settings);
+    settings.insert(settings.end(), words.begin(), words.end());
+    return settings;
+}
+
 /// All episodes of the row, as the code version played them that began it. Throws LedgerError if the
 /// ledger has one of another candidate or task.
 Round round_of(const spec::TableSpec& table, const spec::RowSpec& row, const RowPlayer& player,
@@ -65,7 +74,7 @@ Round round_of(const spec::TableSpec& table, const spec::RowSpec& row, const Row
     if (player.found) payload = player.found->champion->payload;
     const algorithm::Request request{0, 0, algorithm::Pool::Test, table.episodes, {}};
     const std::vector<std::string> fixed = fixed_settings(player);
-    const std::vector<std::string> own = spec::split_words(row.settings);
+    const std::vector<std::string> own = settings_of(row);
     const std::string network =
         row.network.empty() ? "" : network::to_json(network::load_file(row.network));
     Round round(experiment);

@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "common/config/fields.h"
 
@@ -26,6 +27,11 @@ void load_text(const Describe& describe, std::string_view toml, std::string_view
 void load_file(const Describe& describe, const std::string& path);
 /// Sets one field by path, as flags do: set(d, "walk.step_height", "0.03").
 void set(const Describe& describe, std::string_view path, std::string_view value);
+/// What a TOML text sets, in the order of its keys, as flags say it: "walk.step_height=0.03". It is not asked
+/// whether there are such fields. ConfigError for what is no TOML, or a kind of value that no field has.
+std::vector<std::string> assignments(std::string_view toml, std::string_view file);
+/// The same of a file; a missing or unreadable file is a ConfigError that names it.
+std::vector<std::string> assignments_of_file(const std::string& path);
 enum class Comments { Yes, No };
 /// The resolved configuration as TOML, with comments: each field with its unit, range and meaning.
 std::string print(const Describe& describe, Comments comments = Comments::Yes);

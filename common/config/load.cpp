@@ -95,6 +95,50 @@ toml::table parse(std::string_view text, std::string_view file) {
     }
 }
 
+/// As flags give it, for as_toml() to read; none of a date or a list of anything but numbers.
+std::optional<std::string> bare_text(const toml::node& node) {
+    if (const auto* text = node.as_string()) return text->get();
+    if (const auto* whole = node.as_integer()) return std::to_string(whole->get());
+    if (const auto* number = node.as_floating_point()) return number_text(number->get());
+    if (const auto* yes = node.as_boolean()) return yes->get() ? "true" : "false";
+    const toml::array* list = node.as_array();
+    if (list == nullptr) return std::nullopt;
+    std::string text;
+    for (const toml::node& item : *list) {
+        const auto said = item.is_number() ? bare_text(item) : std::nullopt;
+        if (!said) return std::nullopt;
+        text += (text.empty() ? "[" : ", ") + *said;
+    }
+    return text.empty() ? "[]" : text + "]";
+}
+
+void add_assignments(const toml::table& table, const std::string& prefix, std::string_view file,
+                     std::vector<std::string>& out) {
+    for (const auto& [key, node] : table) {
+        const std::string path = prefix + std::string(key.str());
+        if (const toml::table* inner = node.as_table()) {
+            add_assignments(*inner, path + ".", file, out);
+        } else if (const auto text = bare_text(node)) {
+            out.push_back(path + "=" + *text);
+        } else {
+            throw ConfigError(at(file, node.source().begin.line) + "\"" + path +
+                              "\" has a value of a kind that no setting has");
+        }
+    }
+}
+
+std::string read_file(const std::string& path) {
+    std::error_code ignored;
+    if (std::filesystem::is_directory(path, ignored)) {
+        throw ConfigError(path + ": cannot read: it is a directory");
+    }
+    std::ifstream in(path, std::ios::binary);
+    if (!in) throw ConfigError(path + ": cannot read: " + std::strerror(errno));
+    std::ostringstream text;
+    text << in.rdbuf();
+    return text.str();
+}
+
 /// Flags give bare text: what needs quotes or brackets in TOML gets them here.
 std::string as_toml(const Field& field, std::string_view value) {
     if (std::holds_alternative<std::string*>(field.value)) return quoted(value);
@@ -141,15 +185,17 @@ void load_text(const Describe& describe, std::string_view toml, std::string_view
 }
 
 void load_file(const Describe& describe, const std::string& path) {
-    std::error_code ignored;
-    if (std::filesystem::is_directory(path, ignored)) {
-        throw ConfigError(path + ": cannot read: it is a directory");
-    }
-    std::ifstream in(path, std::ios::binary);
-    if (!in) throw ConfigError(path + ": cannot read: " + std::strerror(errno));
-    std::ostringstream text;
-    text << in.rdbuf();
-    load_text(describe, text.str(), path);
+    load_text(describe, read_file(path), path);
+}
+
+std::vector<std::string> assignments(std::string_view toml, std::string_view file) {
+    std::vector<std::string> out;
+    add_assignments(parse(toml, file), "", file, out);
+    return out;
+}
+
+std::vector<std::string> assignments_of_file(const std::string& path) {
+    return assignments(read_file(path), path);
 }
 
 std::optional<int> line_of(std::string_view toml, std::string_view path) {

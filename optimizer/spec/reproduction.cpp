@@ -29,8 +29,13 @@ std::vector<RowSpec> rows_of(const Search& search, int runs, const std::vector<s
                     .search = search.name,
                     .run = run};
         if (run <= static_cast<int>(found.size())) {
-            row.network = found[static_cast<std::size_t>(run - 1)];
-            row.network_path = search.network_path;
+            const std::string& file = found[static_cast<std::size_t>(run - 1)];
+            if (search.network_path.empty()) {
+                row.settings_file = file;
+            } else {
+                row.network = file;
+                row.network_path = search.network_path;
+            }
         }
         rows.push_back(row);
     }
@@ -214,6 +219,14 @@ void check_side(const std::string& side) {
     throw std::invalid_argument(fmt::format("sides: '{}' is not a number from 8 to 14", side));
 }
 
+void check_words(const std::string& key, const std::string& text) {
+    try {
+        split_words(text);
+    } catch (const std::invalid_argument& error) {
+        throw std::invalid_argument(fmt::format("{}: \"{}\": {}", key, text, error.what()));
+    }
+}
+
 /// Champions of different searches met other takers and time limits: their scores cannot be compared.
 void check_champion(const Budget& budget) {
     const std::string& name = budget.champion_search;
@@ -222,12 +235,6 @@ void check_champion(const Budget& budget) {
         throw std::invalid_argument(
             fmt::format("champion_search: '{}' is no search of table1", name));
     }
-}
-
-void check_found(const Search& search, const SearchBudget& spent) {
-    if (found_files(spent).empty() || !search.network_path.empty()) return;
-    throw std::invalid_argument(fmt::format(
-        "{}: found is '{}', but what this search finds are no networks", search.name, spent.found));
 }
 
 TableSpec drill_table(const std::string& part, const Budget& budget) {
@@ -302,8 +309,10 @@ Budget load_budget(const std::string& file) {
         for (const std::string& key : split_words(budget.baselines)) check_baseline(key);
         check_command("foreign_takers", budget.foreign_takers);
         for (const std::string& side : split_words(budget.sides)) check_side(side);
-        for (const auto& [name, search] : budget.searches) split_words(search.set);
-        for (const Search& search : searches()) check_found(search, budget.searches.at(search.name));
+        for (const auto& [name, search] : budget.searches) {
+            check_words(name + ".set", search.set);
+            check_words(name + ".found", search.found);
+        }
         check_champion(budget);
     } catch (const std::invalid_argument& error) {
         throw config::ConfigError(fmt::format("{}: {}", file, error.what()));

@@ -20,7 +20,7 @@ struct Search {
     std::string name;   ///< file NAME.toml among the experiments
     std::string part;
     std::string label;  ///< of its row in the tables
-    std::string network_path = {};  ///< agent's setting that takes the network it finds; empty: finds none
+    std::string network_path = {};  ///< agent's setting that takes the network it finds; empty: finds settings
 };
 
 /// All of them, in the order in which they are run.
@@ -29,12 +29,13 @@ const std::vector<Search>& searches();
 struct SearchBudget {
     int runs = 1;
     std::string set;
-    std::string found;  ///< words: files of networks that earlier runs have found, in place of the first runs
+    std::string found;  ///< words: files that earlier runs have found, in place of the first runs
     void describe(config::Fields& f) {
         f.integer("runs", runs, {0, 100}, "", "independent runs, with seeds 1, 2, ...; 0: left out");
         f.text("set", set, {}, "words path=value, each stronger than the experiment's file");
         f.text("found", found, {},
-               "words: networks that earlier runs have found, which play in place of the first runs");
+               "words: files that earlier runs have found (networks, or settings as TOML), which play in "
+               "place of the first runs");
     }
 };
 
@@ -78,7 +79,7 @@ struct SearchRun {
     int run = 1;
 };
 
-/// Those that take the place of the first runs. Throws std::invalid_argument for an open quote.
+/// Those that take the place of the first runs, networks or agent's configurations. Throws std::invalid_argument for an open quote.
 std::vector<std::string> found_files(const SearchBudget& search);
 
 /// What is to be searched, in rounds: the first run of every search before any second one, so that an interrupted day of
@@ -90,9 +91,10 @@ struct RowSpec {
     std::string key;       ///< of its folder
     std::string label;
     std::string settings;  ///< words path=value for the tuned side
+    std::string settings_file = {};  ///< agent's configuration with more of them; empty: none
     std::string network = {};  ///< file of a network; empty: of the settings
     std::string network_path = "keeper.policy";  ///< setting that takes this file
-    std::string search;    ///< name of the search whose champion plays, from its run or as `network`; else empty
+    std::string search;    ///< name of the search whose champion plays, from its run or a file above; else empty
     int run = 1;
     bool takes_best = false;  ///< the champion of the budget's champion_search instead
 };

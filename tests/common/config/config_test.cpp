@@ -224,6 +224,39 @@ std::string set_fault(std::string_view path, std::string_view value) {
     return "no fault";
 }
 
+TEST(ConfigAssignments, AreWhatSetTakes) {
+    Match run;
+    run.walk = {.step_height = 0.071234567890123456, .gains = {-1.5, 1e-9}};
+    run.port = 17;
+    run.seed = 18446744073709551615u;
+    run.noise = false;
+    run.pace = "fast";
+    run.free = -1e300;
+    const std::string text = print(describing(run));
+    Match back;
+    for (const std::string& assignment : assignments(text, "run.toml")) {
+        const auto equals = assignment.find('=');
+        set(describing(back), assignment.substr(0, equals), assignment.substr(equals + 1));
+    }
+    EXPECT_EQ(print(describing(back)), text);
+    EXPECT_TRUE(assignments("# nothing\n", "run.toml").empty());
+}
+
+TEST(ConfigAssignments, OfWhatNoSettingCanBeAreFaults) {
+    const auto fault = [](const std::string& text) -> std::string {
+        try {
+            assignments(text, "run.toml");
+        } catch (const ConfigError& error) {
+            return error.what();
+        }
+        return "none";
+    };
+    EXPECT_THAT(fault("[walk]\nborn = 2020-01-01\n"), HasSubstr("run.toml:2: \"walk.born\""));
+    EXPECT_THAT(fault("gains = [1.0, \"two\"]\n"), HasSubstr("run.toml:1: \"gains\""));
+    EXPECT_THAT(fault("gains = [1.0\n"), HasSubstr("run.toml:"));
+    EXPECT_THROW(assignments_of_file("/nowhere/run.toml"), ConfigError);
+}
+
 TEST(ConfigSet, NamesPathAndValueOfAFault) {
     EXPECT_EQ(set_fault("walk.step_heigt", "1"),
               "unknown key \"walk.step_heigt\", the nearest known one is \"walk.step_height\"");

@@ -128,6 +128,12 @@ TEST(Reproduction, FoundNetworksTakeThePlaceOfTheFirstRuns) {
     const RowSpec chooser = tables_of("possession", budget).front().rows.front();
     EXPECT_EQ(chooser.network_path + "=" + chooser.network, "possession.network=three.json");
     EXPECT_EQ(chooser.label, "Network by NEAT");
+    budget.searches["keepaway_algorithm2"].found = "constants.toml";
+    const auto more = tables_of("table1", budget).front().rows;
+    ASSERT_GT(more.size(), 3u);
+    EXPECT_EQ(more[3].settings_file, "constants.toml") << "this search finds settings";
+    EXPECT_EQ(more[3].network, "");
+    budget.searches["keepaway_algorithm2"].found = "";
 
     budget.champion = "one.json";
     EXPECT_EQ(tables_of("table1", budget).front().rows.size(), rows.size()) << "it plays already";
@@ -163,7 +169,8 @@ TEST(Reproduction, MistakesAreNamed) {
     EXPECT_THAT(fault("foreign_takers = \"agent {prot}\"\n"), testing::HasSubstr("prot"));
     EXPECT_THAT(fault("baselines = \"start sitl\"\n"), testing::HasSubstr("sitl"));
     EXPECT_THAT(fault("champion_search = \"kick\"\n"), testing::HasSubstr("kick"));
-    EXPECT_THAT(fault("[kick]\nfound = \"kick.toml\"\n"), testing::HasSubstr("kick.toml"));
+    EXPECT_THAT(fault("[kick]\nfound = \"'kick.toml\"\n"), testing::HasSubstr("kick.found: \"'kick.toml\""));
+    EXPECT_THAT(fault("[kick]\nset = \"'seed=1\"\n"), testing::HasSubstr("kick.set: "));
     EXPECT_THAT(fault("sides = \"ten\"\n"), testing::HasSubstr("ten"));
     EXPECT_EQ(fault("sides = \"10.5\"\n"), "none");
     std::filesystem::remove(file);

@@ -117,6 +117,12 @@ void Algorithm::Impl::learn() {
     for (const std::size_t index : best_trained(entries, spec.sampling.finalists)) {
         finalists.push_back(entries[index]);
     }
+    const bool has_start = generation == 0 && begins_with_start(search) && !all.front().failed;
+    if (has_start && std::none_of(finalists.begin(), finalists.end(), [this](const Entry& entry) {
+            return entry.id == entries.front().id;
+        })) {
+        finalists.push_back(entries.front());
+    }
     std::visit([&all](auto& s) { s.update(all); }, search);
     std::visit([this](const auto& s) { s.report(line); }, search);
     pending = reason_to_end();
@@ -125,7 +131,8 @@ void Algorithm::Impl::learn() {
         if (!finalists.empty()) crown(finalists.front(), *finalists.front().train.score, false);
         return;
     }
-    const bool due = (generation + 1) % spec.sampling.validate_every == 0;
+    // A start that is good is hard to beat: validated with the best, it is what a search returns that does not.
+    const bool due = has_start || (generation + 1) % spec.sampling.validate_every == 0;
     if (due || pending) start_validation(std::move(finalists));
 }
 

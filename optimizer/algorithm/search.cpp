@@ -82,6 +82,11 @@ std::optional<Payload> centre_of(const Search& search) {
                       search);
 }
 
+bool begins_with_start(const Search& search) {
+    const auto* neat = std::get_if<neat::Search>(&search);
+    return neat != nullptr && neat->begins_with_start();
+}
+
 int first_episodes(const Search& search, const spec::SamplingSpec& sampling) {
     const auto* cmaes = std::get_if<cmaes::Search>(&search);
     return cmaes != nullptr ? cmaes->episodes() : sampling.episodes;

@@ -28,6 +28,8 @@ Payload payload_of(const Search& search, std::size_t candidate);
 /// The algorithm's own estimate of the optimum, which no single lucky episode made: the mean of a
 /// distribution. None for those that have no such thing.
 std::optional<Payload> centre_of(const Search& search);
+/// True if candidate 0 of the first generation is what the search starts from, unchanged.
+bool begins_with_start(const Search& search);
 /// Episodes per candidate at the start of a generation, and how many in all the ranks need.
 int first_episodes(const Search& search, const spec::SamplingSpec& sampling);
 int episodes_wanted(const Search& search, const std::vector<Outcome>& outcomes);

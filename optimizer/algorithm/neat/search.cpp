@@ -41,7 +41,6 @@ Search::Search(const Settings& settings, const network::Definition& start, std::
       interface_(start),
       seed_(seed),
       innovations_(interface_.first_new_node()),
-      threshold_(settings_.threshold),
       best_fitness_(kNone) {
     const bool recurs = std::any_of(start.links.begin(), start.links.end(),
                                     [](const network::Link& l) { return l.recurrent; });
@@ -63,7 +62,6 @@ void Search::found() {
         mutate_weights(population_[i], draw, stream);
     }
     phase_.floor = mean_links(population_);
-    threshold_ = first_threshold(population_, settings_);
 }
 
 network::Definition Search::network(std::size_t candidate) const {
@@ -94,7 +92,8 @@ void Search::update(const std::vector<Outcome>& outcomes) {
         best_fitness_ = best;
         improved_ = generation_;
     }
-    speciate(species_, next_species_, population_, fitness, threshold_, generation_, settings_, stream);
+    const double threshold = fitted_threshold(species_, population_, settings_);
+    speciate(species_, next_species_, population_, fitness, threshold, generation_, settings_, stream);
     turn_phase();
     const int stalled = generation_ - improved_;
     const std::vector<int> children = allot(species_, fitness, generation_, stalled, settings_);
@@ -102,14 +101,13 @@ void Search::update(const std::vector<Outcome>& outcomes) {
     if (settings_.population_stagnation > 0 && stalled > settings_.population_stagnation) {
         improved_ = generation_;
     }
-    describe(children);
+    describe(children, threshold);
     population_ = reproduce(species_, children, population_, fitness, innovations_, settings_,
                             phase_.pruning, stream);
-    threshold_ = next_threshold(threshold_, species_.size(), settings_);
 }
 
 /// What the log says of the generation that has just been told.
-void Search::describe(const std::vector<int>& children) {
+void Search::describe(const std::vector<int>& children, double threshold) {
     double hidden = 0.0;
     double links = 0.0;
     int largest = 0;
@@ -129,7 +127,7 @@ void Search::describe(const std::vector<int>& children) {
     const auto size = static_cast<double>(population_.size());
     report_ = {{"population", population_.size()},
                {"species", list},
-               {"threshold", exact(threshold_)},
+               {"threshold", exact(threshold)},
                {"mean_hidden", hidden / size},
                {"mean_links", links / size},
                {"most_links", largest},
@@ -146,7 +144,6 @@ nlohmann::json Search::save() const {
             {"innovations", innovations_.save()},
             {"species", species},
             {"next_species", next_species_},
-            {"threshold", exact(threshold_)},
             {"generation", generation_},
             {"best_fitness", exact(best_fitness_)},
             {"improved", improved_},
@@ -188,7 +185,6 @@ void Search::load(const Reader& reader) {
         read(entry["representative"]);
     });
     next_species_ = reader["next_species"].integer(0, kMost);
-    threshold_ = reader["threshold"].finite();
     generation_ = reader["generation"].integer(0, kMost);
     best_fitness_ = reader["best_fitness"].number();
     improved_ = reader["improved"].integer(0, kMost);

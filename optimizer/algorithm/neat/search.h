@@ -35,6 +35,8 @@ class Search {
     void load(const Reader& reader);
 
     const Settings& settings() const { return settings_; }
+    /// Candidate 0 of the first generation is the start network unchanged.
+    bool begins_with_start() const { return settings_.start_from_network; }
     const std::vector<Genome>& population() const { return population_; }
     const std::vector<Species>& species() const { return species_; }
     const Innovations& innovations() const { return innovations_; }
@@ -42,7 +44,7 @@ class Search {
   private:
     void found();
     void turn_phase();
-    void describe(const std::vector<int>& children);
+    void describe(const std::vector<int>& children, double threshold);
 
     Settings settings_;
     Interface interface_;
@@ -51,7 +53,6 @@ class Search {
     std::vector<Genome> population_;  // the generation under evaluation
     std::vector<Species> species_;    // of the generation before
     int next_species_ = 0;
-    double threshold_;
     int generation_ = 0;
     double best_fitness_;
     int improved_ = 0;  // generation of the best fitness so far

@@ -23,9 +23,7 @@ struct Settings {
     double weight = 0.4;    ///< c3
     int small_genome = 20;  ///< N of the distance is 1 if both have fewer links
     double threshold = 3.0;
-    int target_species = 0;        ///< > 0: the threshold moves so that there are about so many
-    double threshold_step = 0.05;  ///< share by which it moves, per generation
-    double least_threshold = 0.05;
+    int target_species = 0;  ///< > 0: the threshold is the least that leaves no more than so many
 
     // Who has children.
     double survival = 0.2;         ///< best share of a species that does

@@ -11,7 +11,31 @@
 namespace k3d::optimizer::algorithm::neat {
 namespace {
 
+constexpr double kLeastThreshold = 1e-6;
 constexpr double kMostThreshold = 1e6;
+
+/// True if this threshold leaves no more species than wanted.
+bool is_few(const std::vector<Species>& species, const std::vector<Genome>& population,
+            double threshold, const Settings& settings) {
+    std::vector<const Genome*> founders;
+    for (const Species& s : species) founders.push_back(&s.representative);
+    std::vector<bool> has_members(founders.size(), false);
+    int count = 0;
+    for (const Genome& genome : population) {
+        const auto home = std::find_if(founders.begin(), founders.end(), [&](const Genome* founder) {
+            return distance(genome, *founder, settings) < threshold;
+        });
+        const auto index = static_cast<std::size_t>(home - founders.begin());
+        if (home == founders.end()) {
+            founders.push_back(&genome);
+            has_members.push_back(false);
+        }
+        if (has_members[index]) continue;
+        has_members[index] = true;
+        if (++count > settings.target_species) return false;
+    }
+    return true;
+}
 
 /// Indices of species from the one with the best member to the one with the worst best.
 std::vector<std::size_t> by_best_member(const std::vector<Species>& species,
@@ -55,32 +79,21 @@ void speciate(std::vector<Species>& species, int& next_id, const std::vector<Gen
     }
 }
 
-double first_threshold(const std::vector<Genome>& population, const Settings& settings) {
+double fitted_threshold(const std::vector<Species>& species, const std::vector<Genome>& population,
+                        const Settings& settings) {
     if (settings.target_species == 0) return settings.threshold;
+    const auto few = [&](double threshold) {
+        return is_few(species, population, threshold, settings);
+    };
+    double high = kLeastThreshold;
+    while (!few(high) && high < kMostThreshold) high *= 2.0;
+    double low = 0.5 * high;
     // A larger threshold gives fewer species, roughly: halve the interval a fixed number of times.
-    double low = settings.least_threshold;
-    double high = settings.threshold;
     for (int i = 0; i < 12; ++i) {
         const double middle = 0.5 * (low + high);
-        std::vector<const Genome*> founders;
-        for (const Genome& genome : population) {
-            const bool joins = std::any_of(founders.begin(), founders.end(), [&](const Genome* f) {
-                return distance(genome, *f, settings) < middle;
-            });
-            if (!joins) founders.push_back(&genome);
-            if (static_cast<int>(founders.size()) > settings.target_species) break;
-        }
-        (static_cast<int>(founders.size()) > settings.target_species ? low : high) = middle;
+        (few(middle) ? high : low) = middle;
     }
     return high;
-}
-
-double next_threshold(double threshold, std::size_t species, const Settings& settings) {
-    if (settings.target_species == 0) return threshold;
-    const auto target = static_cast<std::size_t>(settings.target_species);
-    if (species < target) threshold /= 1.0 + settings.threshold_step;
-    if (species > target) threshold *= 1.0 + settings.threshold_step;
-    return std::clamp(threshold, settings.least_threshold, kMostThreshold);
 }
 
 std::vector<int> allot(const std::vector<Species>& species, const std::vector<double>& fitness,

@@ -25,12 +25,12 @@ void speciate(std::vector<Species>& species, int& next_id, const std::vector<Gen
               const std::vector<double>& fitness, double threshold, int generation,
               const Settings& settings, RandomStream& stream);
 
-/// The threshold that sorts this population into the wanted number of species, or as near as it gets;
-/// the settings' own if it is fixed.
-double first_threshold(const std::vector<Genome>& population, const Settings& settings);
-
-/// The threshold for the next generation: unchanged if it is fixed.
-double next_threshold(double threshold, std::size_t species, const Settings& settings);
+/// The least threshold, roughly, by which `speciate` would sort this population into no more than the
+/// wanted number of species; the settings' own if it is fixed. Sought anew for each generation: a
+/// link more is a step of c1 or c2, far above what weights differ by, and one that followed in small
+/// steps would let every new structure found a species for dozens of generations.
+double fitted_threshold(const std::vector<Species>& species, const std::vector<Genome>& population,
+                        const Settings& settings);
 
 /// Children per species, in all exactly the population: in proportion to shared fitness, none for
 /// stagnant species. `stalled`: generations since the whole population improved.

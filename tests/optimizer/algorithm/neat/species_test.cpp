@@ -9,6 +9,7 @@
 
 #include "optimizer/algorithm/neat/interface.h"
 #include "optimizer/algorithm/neat/reproduce.h"
+#include "optimizer/algorithm/neat/search.h"
 #include "optimizer/algorithm/neat/tasks.h"
 
 namespace k3d::optimizer::algorithm::neat {
@@ -100,30 +101,48 @@ TEST(Allot, NegativeAndEqualFitnessAreNoProblem) {
     EXPECT_EQ(allot(species, {1004.0, 1002.0}, 1, 0, above), (std::vector<int>{11, 1}));
 }
 
-TEST(NextThreshold, FollowsTheNumberOfSpecies) {
-    Settings s;
-    EXPECT_EQ(next_threshold(3.0, 50, s), 3.0) << "fixed";
-    s.target_species = 6;
-    EXPECT_DOUBLE_EQ(next_threshold(3.0, 7, s), 3.15);
-    EXPECT_DOUBLE_EQ(next_threshold(3.15, 5, s), 3.0);
-    EXPECT_DOUBLE_EQ(next_threshold(3.0, 6, s), 3.0);
-    EXPECT_DOUBLE_EQ(next_threshold(s.least_threshold, 1, s), s.least_threshold) << "never 0";
-}
-
-TEST(FirstThreshold, GivesTheWantedNumberOfSpecies) {
+TEST(FittedThreshold, GivesTheWantedNumberOfSpecies) {
     std::vector<double> weights(60);
     RandomStream stream(4, "test", "weights");
     for (double& weight : weights) weight = stream.normal();
     const std::vector<Genome> population = population_of(weights);
     Settings s;
-    EXPECT_EQ(first_threshold(population, s), 3.0) << "fixed";
+    EXPECT_EQ(fitted_threshold({}, population, s), 3.0) << "fixed";
     s.target_species = 6;
-    const double threshold = first_threshold(population, s);
+    const double threshold = fitted_threshold({}, population, s);
     EXPECT_LT(threshold, 1.0);
     Sorted sorted;
     speciate(sorted.species, sorted.next_id, population, weights, threshold, 0, s, stream);
     EXPECT_GE(sorted.species.size(), 5u);
     EXPECT_LE(sorted.species.size(), 6u);
+    // A cloud a thousand times as narrow, beside those species' representatives.
+    std::vector<Genome> narrow = population_of(weights);
+    for (Genome& genome : narrow) genome.links[0].weight = 50.0 + 1e-3 * genome.links[0].weight;
+    const double fine = fitted_threshold({}, narrow, s);
+    EXPECT_NEAR(fine, 1e-3 * threshold, 1e-4 * threshold);
+    EXPECT_LE(fitted_threshold(sorted.species, narrow, s), 1.01 * fine) << "species that end do not count";
+    // All alike: any threshold will do, and none is 0.
+    EXPECT_GT(fitted_threshold({}, population_of({1.0, 1.0, 1.0}), s), 0.0);
+}
+
+TEST(FittedThreshold, NewStructureDoesNotSplinterThePopulation) {
+    Settings s;
+    s.population = 60;
+    s.target_species = 6;
+    s.add_node = 0.3;
+    s.add_link = 0.3;
+    Search search(s, testing::empty_network(4, 1), 3);
+    RandomStream stream(5, "test", "fitness");
+    for (int generation = 0; generation < 15; ++generation) {
+        search.begin(generation);
+        std::vector<Outcome> outcomes;
+        for (std::size_t i = 0; i < search.size(); ++i) {
+            outcomes.push_back({false, {5.0 + stream.normal(), 0.0, 1}});
+        }
+        search.update(outcomes);
+        EXPECT_LE(search.species().size(), 6u) << "generation " << generation;
+        EXPECT_GE(search.species().size(), 2u) << "generation " << generation;
+    }
 }
 
 TEST(Reproduce, CopiesTheChampionOfALargeSpeciesAndDrawsParentsFromTheBest) {

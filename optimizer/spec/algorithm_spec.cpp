@@ -57,7 +57,7 @@ void NeatSpec::describe(config::Fields& f) {
     f.text("activations", activations, {}, "of new hidden nodes, e.g. \"sigmoid tanh\"");
     f.integer("population", population, {0, kManyCandidates}, "", "0: the profile's");
     f.integer("target_species", target_species, {-1, 1000}, "",
-              "the threshold follows this number; 0: it stays; -1: the profile's");
+              "the threshold leaves at most so many; 0: it stays; -1: the profile's");
     f.number("threshold", threshold, {0.0, 1e6}, "", "distance within a species; 0: the profile's");
     f.number("weight_coefficient", weight_coefficient, {-1.0, 1e6}, "",
              "c3 of the distance; -1: the profile's");

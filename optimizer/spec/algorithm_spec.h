@@ -86,7 +86,7 @@ struct NeatSpec {
     std::string networks = "profile";  ///< feed_forward, recurrent
     std::string activations;         ///< of new hidden nodes, e.g. "sigmoid tanh"; empty: the profile's
     int population = 0;              ///< 0: the profile's
-    int target_species = -1;         ///< -1: the profile's; 0: the threshold stays; else it follows this
+    int target_species = -1;         ///< -1: the profile's; 0: the threshold stays; else it leaves no more
     double threshold = 0.0;          ///< compatibility distance of one species; 0: the profile's
     double weight_coefficient = -1.0;  ///< c3 of the distance; this and those below: -1: the profile's
     double perturb = -1.0;           ///< share of a child's weights that change by a bit; the others are new

@@ -34,7 +34,7 @@ Settings stanley2002() {
     return s;
 }
 
-/// What later practice added: a moving threshold, pruning, several changes at a time.
+/// What later practice added: a fitted threshold, pruning, several changes at a time.
 Settings modern() {
     Settings s;
     s.target_species = 8;

@@ -97,7 +97,7 @@ bool learn(Work& work, const spec::Search& search, int number) {
     const std::string command = fmt::format("k3d-optimizer reproduce {} --budget {}",
                                             work.flags.part, work.flags.budget);
     Run run = begun ? Run::resume(folder) : Run::begin(file, overrides, folder, command);
-    work.progress.say(fmt::format("{}, run {}: {}", search.label, number, folder));
+    work.progress.begin(fmt::format("{}, run {}: {}", search.label, number, folder));
     backend::LocalBackend backend(work.flags.jobs, folder + "/logs");
     Watch watch(run, work.progress);
     if (optimise(run, backend, work.wakeups, watch) == Ended::Stopped) return false;

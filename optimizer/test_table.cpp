@@ -113,7 +113,7 @@ bool play_row(const spec::TableSpec& table, const spec::RowSpec& row, const RowP
             "{}: {}: the row would be of two. Delete the folder to play it anew", folder, error.what()));
     }
     if (round->complete()) return true;
-    progress.say(fmt::format("{}: {}", table.title, row.label));
+    progress.begin(fmt::format("{}: {}", table.title, row.label));
     backend::LocalBackend backend(jobs, folder + "/logs");
     for (const episode::Job& job : round->missing()) backend.submit(job);
     while (!round->complete()) {

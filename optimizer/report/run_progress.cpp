@@ -35,13 +35,26 @@ void RunProgress::say(const std::string& text) {
     out_ << text << '\n' << std::flush;
 }
 
+void RunProgress::begin(const std::string& text) {
+    say(text);
+    stage_ = {};
+}
+
+double RunProgress::Tally::wall_s() const {
+    return std::max(1e-3, std::chrono::duration<double>(Clock::now() - start).count());
+}
+
+std::string RunProgress::Tally::rates() const {
+    return fmt::format("{:.1f} episodes per min, {:.1f} simulated s per wall s",
+                       static_cast<double>(episodes) * 60.0 / wall_s(), simulated_s / wall_s());
+}
+
+std::string RunProgress::failures() const {
+    return failed_ > 0 ? fmt::format(", {} failed", failed_) : "";
+}
+
 std::string RunProgress::summary() const {
-    const double wall = std::max(1e-3, std::chrono::duration<double>(Clock::now() - start_).count());
-    std::string text = fmt::format("{:.1f} episodes per min, {:.1f} simulated s per wall s",
-                                   static_cast<double>(episodes_) * 60.0 / wall,
-                                   simulated_s_ / wall);
-    if (failed_ > 0) text += fmt::format(", {} failed", failed_);
-    return text;
+    return all_.rates() + failures();
 }
 
 std::string RunProgress::overhead() const {
@@ -56,20 +69,24 @@ std::string RunProgress::overhead() const {
 }
 
 std::string RunProgress::eta(const RunView& view) const {
-    const double wall = std::chrono::duration<double>(Clock::now() - start_).count();
-    if (episodes_ == 0 || (!view.test && view.max_generations > kManyGenerations)) return "";
+    const bool endless = !view.test && view.max_generations > kManyGenerations;
+    if (stage_.episodes == 0 || endless) return "";
     const auto rounds = view.test ? 0 : view.max_generations - view.generation - 1;
     const double left = static_cast<double>(view.episodes - view.known) +
                         static_cast<double>(view.episodes) * std::max(0, rounds);
-    return ", ends in " + duration(left * wall / static_cast<double>(episodes_));
+    return ", ends in " + duration(left * stage_.wall_s() / static_cast<double>(stage_.episodes));
 }
 
 void RunProgress::show(const RunView& view, const std::vector<ledger::Row>& news,
                        const std::string& backend) {
+    if (view.test != in_test_) stage_ = {};
+    in_test_ = view.test;
     for (const ledger::Row& row : news) {
-        ++episodes_;
+        for (Tally* tally : {&all_, &stage_}) {
+            ++tally->episodes;
+            tally->simulated_s += row.simulated_s;
+        }
         failed_ += row.status == "failed";
-        simulated_s_ += row.simulated_s;
         wall_s_ += row.wall_s;
     }
     const auto now = Clock::now();
@@ -77,10 +94,10 @@ void RunProgress::show(const RunView& view, const std::vector<ledger::Row>& news
         return;
     }
     shown_ = now;
-    const std::string what =
-        view.test ? "test of the champion" : fmt::format("generation {}", view.generation);
-    const std::string text = fmt::format("{}: {} of {} episodes, {}, {}{}", what, view.known,
-                                         view.episodes, backend, summary(), eta(view));
+    const std::string what = view.test ? "test" : fmt::format("generation {}", view.generation);
+    const std::string text =
+        fmt::format("{}: {} of {} episodes, {}, {}{}{}", what, view.known, view.episodes, backend,
+                    stage_.rates(), failures(), eta(view));
     if (!terminal_) return say(text);
     out_ << kWipe << text << std::flush;
     line_open_ = true;

@@ -15,7 +15,7 @@ namespace k3d::optimizer::report {
 
 /// How far a run has come.
 struct RunView {
-    bool test = false;  ///< the search is over, its champion is being tested
+    bool test = false;  ///< test episodes: the search is over, or a row of a table plays
     int generation = 0;
     int max_generations = 0;
     std::size_t known = 0;     ///< episodes of the present round
@@ -31,6 +31,9 @@ class RunProgress {
 
     /// Plain lines, e.g. where the run is.
     void say(const std::string& text);
+    /// The same, where a search or a row of a table begins: rates and the end told from here on are
+    /// its own.
+    void begin(const std::string& text);
     /// `news`: rows that have come in since the last call. Cheap: call it after each wait.
     void show(const RunView& view, const std::vector<ledger::Row>& news,
               const std::string& backend);
@@ -42,18 +45,28 @@ class RunProgress {
     std::string overhead() const;
 
   private:
+    using Clock = std::chrono::steady_clock;
+    struct Tally {
+        Clock::time_point start = Clock::now();
+        std::size_t episodes = 0;
+        double simulated_s = 0.0;
+
+        double wall_s() const;
+        std::string rates() const;
+    };
+
     void wipe();
+    std::string failures() const;
     std::string eta(const RunView& view) const;
 
-    using Clock = std::chrono::steady_clock;
     std::ostream& out_;
     bool terminal_;
     bool line_open_ = false;
-    Clock::time_point start_ = Clock::now();
     Clock::time_point shown_{};
-    std::size_t episodes_ = 0;
+    Tally all_;
+    Tally stage_;  ///< of what was begun last: the search, or its test, which is slower
+    bool in_test_ = false;
     std::size_t failed_ = 0;
-    double simulated_s_ = 0.0;
     double wall_s_ = 0.0;  ///< of the episodes, those at the same time added
 };
 

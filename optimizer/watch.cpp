@@ -28,7 +28,7 @@ void Watch::show(Round& round, const std::string& backend) {
     if (!page_) return;
     if (Clock::now() >= told_ + kStatus) {
         told_ = Clock::now();
-        page_->publish_status(report::status_json(view, backend, progress_.summary()));
+        page_->publish_status(report::status_json(view, backend, progress_.rates()));
     }
     page_->poll();
 }

@@ -49,12 +49,16 @@ std::string RunProgress::Tally::rates() const {
                        static_cast<double>(episodes) * 60.0 / wall_s(), simulated_s / wall_s());
 }
 
-std::string RunProgress::failures() const {
-    return failed_ > 0 ? fmt::format(", {} failed", failed_) : "";
+std::string RunProgress::rates_of(const Tally& tally) const {
+    return tally.rates() + (failed_ > 0 ? fmt::format(", {} failed", failed_) : "");
+}
+
+std::string RunProgress::rates() const {
+    return rates_of(stage_);
 }
 
 std::string RunProgress::summary() const {
-    return all_.rates() + failures();
+    return rates_of(all_);
 }
 
 std::string RunProgress::overhead() const {
@@ -95,9 +99,8 @@ void RunProgress::show(const RunView& view, const std::vector<ledger::Row>& news
     }
     shown_ = now;
     const std::string what = view.test ? "test" : fmt::format("generation {}", view.generation);
-    const std::string text =
-        fmt::format("{}: {} of {} episodes, {}, {}{}{}", what, view.known, view.episodes, backend,
-                    stage_.rates(), failures(), eta(view));
+    const std::string text = fmt::format("{}: {} of {} episodes, {}, {}{}", what, view.known,
+                                         view.episodes, backend, rates(), eta(view));
     if (!terminal_) return say(text);
     out_ << kWipe << text << std::flush;
     line_open_ = true;

@@ -40,6 +40,7 @@ class RunProgress {
     /// A generation is closed; `line` is the algorithm's log of it.
     void closed(const nlohmann::json& line);
 
+    std::string rates() const;    ///< of the search or row that plays, as the line tells them
     std::string summary() const;  ///< rates since the start
     /// This process' own work as a share of the wall time of its episodes.
     std::string overhead() const;
@@ -56,7 +57,7 @@ class RunProgress {
     };
 
     void wipe();
-    std::string failures() const;
+    std::string rates_of(const Tally& tally) const;
     std::string eta(const RunView& view) const;
 
     std::ostream& out_;

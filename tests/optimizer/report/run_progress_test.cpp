@@ -52,6 +52,7 @@ TEST_F(RunProgressTest, RatesOfWhatHasBegunAreItsOwn) {
     EXPECT_THAT(before,
                 testing::HasSubstr("test: 0 of 20 episodes, 2 running, 0.0 episodes per min"));
     EXPECT_THAT(before, testing::Not(testing::HasSubstr("ends in")));  // nothing to tell it by
+    EXPECT_THAT(progress_.rates(), testing::StartsWith("0.0 episodes per min"));  // the page's
     EXPECT_THAT(shown({true, 0, 0, 1, 20}, 1), testing::HasSubstr(", ends in "));
     EXPECT_THAT(progress_.summary(), testing::Not(testing::StartsWith("0.0 ")));  // of all
 }

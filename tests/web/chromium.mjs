@@ -148,6 +148,7 @@ class Page {
     const timer = setTimeout(() => this.child.kill("SIGKILL"), 5000);
     await this.ended;
     clearTimeout(timer);
-    rmSync(this.profile, {recursive: true, force: true, maxRetries: 5});
+    // Its helpers outlive it for a moment, and write there.
+    rmSync(this.profile, {recursive: true, force: true, maxRetries: 20});
   }
 }

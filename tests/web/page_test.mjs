@@ -92,21 +92,38 @@ async function checkMoving(page, wanted) {
     moved >= wanted && rolled >= 0.05);
 }
 
+/**
+ * Pictures of what is followed until one looks right, or patience ends; what the last one shows. The browser
+ * of a busy machine may hand out an older picture than its page has drawn.
+ */
+async function look(page, file, countIn, looksRight) {
+  const end = Date.now() + patience * 1000;
+  for (;;) {
+    const found = countIn(await save(page, file));
+    if (looksRight(found) || Date.now() > end) return found;
+    await new Promise((resolve) => setTimeout(resolve, 250));
+  }
+}
+
 async function checkDrawn(page, robots) {
   for (const [index, robot] of robots.entries()) {
     await follow(page, `robot ${index + 1}`);
-    const picture = await save(page, `robot-${robot.team}-${robot.number}.png`);
-    const pixels = count(picture, 120, robot.team === "left" ? isBlue : isRed);
+    const colour = robot.team === "left" ? isBlue : isRed;
+    const enough = (pixels) => pixels > 1500;
+    const pixels = await look(
+      page, `robot-${robot.team}-${robot.number}.png`, (picture) => count(picture, 120, colour),
+      enough);
     check(
       `robot ${robot.team} ${robot.number} is drawn: ${pixels} pixels of its colour`,
-      pixels > 1500);
+      enough(pixels));
   }
   await follow(page, "ball");
-  const picture = await save(page, "ball.png");
-  const [white, ring] = [isWhite, isRing].map((looksRight) => count(picture, 120, looksRight));
+  const enough = ([white, ring]) => white > 200 && ring > 500;
+  const seen = await look(
+    page, "ball.png", (picture) => [isWhite, isRing].map((colour) => count(picture, 120, colour)),
+    enough);
   check(
-    `the ball is drawn: ${white} white pixels, ${ring} of the ring around it`,
-    white > 200 && ring > 500);
+    `the ball is drawn: ${seen[0]} white pixels, ${seen[1]} of the ring around it`, enough(seen));
 }
 
 /** What must be seen whoever serves the page. */

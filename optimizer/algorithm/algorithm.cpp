@@ -37,6 +37,12 @@ std::vector<std::size_t> best_trained(const std::vector<Entry>& entries, int cou
     return order;
 }
 
+Payload start_of(const spec::VectorProblem& problem) {
+    std::vector<double> values;
+    for (const spec::Parameter& parameter : problem) values.push_back(parameter.start);
+    return values;
+}
+
 nlohmann::json line_of(int generation, const std::vector<Outcome>& all) {
     std::vector<double> fitness;
     for (const Outcome& outcome : all) {
@@ -117,12 +123,7 @@ void Algorithm::Impl::learn() {
     for (const std::size_t index : best_trained(entries, spec.sampling.finalists)) {
         finalists.push_back(entries[index]);
     }
-    const bool has_start = generation == 0 && begins_with_start(search) && !all.front().failed;
-    if (has_start && std::none_of(finalists.begin(), finalists.end(), [this](const Entry& entry) {
-            return entry.id == entries.front().id;
-        })) {
-        finalists.push_back(entries.front());
-    }
+    const bool has_start = generation == 0 && add_start(finalists);
     std::visit([&all](auto& s) { s.update(all); }, search);
     std::visit([this](const auto& s) { s.report(line); }, search);
     pending = reason_to_end();
@@ -131,9 +132,26 @@ void Algorithm::Impl::learn() {
         if (!finalists.empty()) crown(finalists.front(), *finalists.front().train.score, false);
         return;
     }
-    // A start that is good is hard to beat: validated with the best, it is what a search returns that does not.
     const bool due = has_start || (generation + 1) % spec.sampling.validate_every == 0;
     if (due || pending) start_validation(std::move(finalists));
+}
+
+/// A start that is good is hard to beat: validated with the best, it is what a search returns that
+/// does not. NEAT has it among its first candidates; the others search around it. False: there is
+/// none.
+bool Algorithm::Impl::add_start(std::vector<Entry>& finalists) {
+    if (const auto* parameters = std::get_if<spec::VectorProblem>(&problem)) {
+        if (spec.sampling.validation_episodes == 0) return false;
+        finalists.push_back({next_id++, start_of(*parameters), {}, {}});
+        return true;
+    }
+    const Entry& first = entries.front();
+    if (!begins_with_start(search) || first.train.failed) return false;
+    if (std::none_of(finalists.begin(), finalists.end(),
+                     [&first](const Entry& entry) { return entry.id == first.id; })) {
+        finalists.push_back(first);
+    }
+    return true;
 }
 
 bool Algorithm::Impl::start_validation(std::vector<Entry> finalists) {

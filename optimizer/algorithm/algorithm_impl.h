@@ -44,6 +44,7 @@ struct Algorithm::Impl {
     bool another_training_round();
     bool another_validation_round();
     void learn();
+    bool add_start(std::vector<Entry>& finalists);
     bool start_validation(std::vector<Entry> finalists);
     void crown(const Entry& entry, const Score& score, bool validated);
     void crown_winner();

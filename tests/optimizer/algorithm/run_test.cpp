@@ -76,19 +76,25 @@ TEST(Run, ValidatesWhatItHasWhenItIsToEnd) {
     spec.sampling.validation_episodes = 5;
     spec.sampling.validate_every = 10;
     Algorithm algorithm(spec, testing::box(4, 1.0, 1.0), 3);
-    const auto play = [&algorithm] {
+    int validated = 0;
+    const auto play = [&] {
         for (const Request& r : algorithm.ask()) {
+            validated += r.pool == Pool::Validation;
             const double value = -testing::sphere(std::get<Values>(r.payload));
             algorithm.tell(r.candidate, r.pool, {value, 0.0, r.episodes});
         }
         algorithm.advance();
     };
+    while (algorithm.generation() == 0) play();
+    validated = 0;
     play();
-    ASSERT_FALSE(algorithm.champion()) << "no validation is due";
+    ASSERT_EQ(algorithm.generation(), 2);
+    ASSERT_EQ(validated, 0) << "no validation is due";
     algorithm.end_after_generation("enough");
     for (int i = 0; i < 5 && !algorithm.finished(); ++i) play();
     EXPECT_EQ(algorithm.finished(), "enough");
-    EXPECT_EQ(algorithm.generation(), 1);
+    EXPECT_EQ(algorithm.generation(), 2);
+    EXPECT_GT(validated, 0);
     ASSERT_TRUE(algorithm.champion());
     EXPECT_TRUE(algorithm.champion()->validated);
 }
@@ -117,8 +123,10 @@ TEST(Run, WhomHalvingSentHomeIsNoFinalist) {
         }
         algorithm.advance();
     }
-    const std::vector<Request> finalists = algorithm.ask();
-    ASSERT_EQ(finalists.size(), 2u);
+    std::vector<Request> finalists = algorithm.ask();
+    ASSERT_EQ(finalists.size(), 3u);
+    EXPECT_EQ(std::get<Values>(finalists.back().payload), (Values{1.0, 1.0})) << "the start";
+    finalists.pop_back();
     for (const Request& r : finalists) EXPECT_EQ(played[r.candidate], 2 + 2 + 4 + 8);
 }
 
@@ -145,6 +153,29 @@ TEST(Run, TheStartNetworkIsValidatedWithTheFirstFinalists) {
     ASSERT_TRUE(algorithm.champion());
     EXPECT_EQ(algorithm.champion()->candidate, 0u);
     EXPECT_EQ(algorithm.champion()->score.mean, 2.0);
+}
+
+TEST(Run, TheStartIsTheChampionIfNothingIsBetter) {
+    for (const char* name : {"cmaes", "cross_entropy", "random_search"}) {
+        spec::AlgorithmSpec spec;
+        spec.name = name;
+        spec.max_generations = 6;
+        spec.sampling.validation_episodes = 4;
+        spec.sampling.validate_every = 5;
+        spec.sampling.finalists = 1;
+        Algorithm algorithm(spec, testing::box(2, 1.0, 1.0), 3);
+        const Values start{1.0, 1.0};
+        while (!algorithm.finished()) {
+            for (const Request& r : algorithm.ask()) {
+                const double mean = std::get<Values>(r.payload) == start ? 2.0 : 1.0;
+                algorithm.tell(r.candidate, r.pool, {mean, 0.0, r.episodes});
+            }
+            algorithm.advance();
+        }
+        ASSERT_TRUE(algorithm.champion()) << name;
+        EXPECT_EQ(std::get<Values>(algorithm.champion()->payload), start) << name;
+        EXPECT_EQ(algorithm.champion()->generation, 0) << name;
+    }
 }
 
 TEST(Run, FlatFitnessNeitherEndsAtOnceNorCrashes) {

@@ -177,10 +177,21 @@ bool Round::fail(Episode& episode, const episode::Outcome& outcome,
     return false;
 }
 
+const ledger::Row& Round::row(const algorithm::Request& request, int episode) const {
+    return *episodes_.at(key_of(phase_of(request.pool), request, episode)).row;
+}
+
+bool Round::failed(const algorithm::Request& request) const {
+    for (int i = 0; i < request.episodes; ++i) {
+        if (row(request, i).status != "failed") return false;
+    }
+    return true;
+}
+
 algorithm::Score Round::score(const algorithm::Request& request) const {
     std::vector<double> sample;
     for (int i = 0; i < request.episodes; ++i) {
-        sample.push_back(episodes_.at(key_of(phase_of(request.pool), request, i)).row->fitness);
+        sample.push_back(row(request, i).fitness);
     }
     const report::Statistics s = report::statistics(sample);
     return {*s.mean, s.se.value_or(0.0), static_cast<int>(s.n)};

@@ -51,7 +51,9 @@ class Round {
     std::size_t known() const { return known_; }
     std::size_t episodes() const { return episodes_.size(); }
     const std::vector<algorithm::Request>& requests() const { return requests_; }
-    /// Of a complete request.
+    /// Of a complete request: true if none of its episodes had a valid result.
+    bool failed(const algorithm::Request& request) const;
+    /// Of a complete request, its failed episodes counted as the worst.
     algorithm::Score score(const algorithm::Request& request) const;
     /// Of the rows that came through take() since the last call.
     std::vector<ledger::Row> take_news();
@@ -66,6 +68,7 @@ class Round {
     /// True if the episode is to be tried again.
     bool fail(Episode& episode, const episode::Outcome& outcome, const episode::Failure& failure,
               std::vector<ledger::Row>& rows, std::vector<ledger::FailedTry>& failed);
+    const ledger::Row& row(const algorithm::Request& request, int episode) const;
     void end_if_hopeless(const episode::Key& key, const episode::Failure& failure,
                          const ledger::Ledger& ledger) const;
 

@@ -226,7 +226,11 @@ std::vector<nlohmann::json> Run::close(const Round& round) {
     if (round.requests().empty()) return {};  // the test: nothing to learn from
     std::vector<ledger::Candidate> candidates;
     for (const algorithm::Request& request : round.requests()) {
-        algorithm_->tell(request.candidate, request.pool, round.score(request));
+        if (round.failed(request)) {
+            algorithm_->tell_failed(request.candidate, request.pool);
+        } else {
+            algorithm_->tell(request.candidate, request.pool, round.score(request));
+        }
         candidates.push_back(
             {request.candidate, request.generation, payload_json(request.payload)});
     }

@@ -73,6 +73,32 @@ TEST_F(RoundOfTwo, AWorkerThatCannotPlayDoesNotEndARunThatHasResults) {
     EXPECT_EQ(again[0].attempt, 2);
 }
 
+TEST_F(RoundOfTwo, ACandidateHasFailedIfNoneOfItsEpisodesHadAResult) {
+    const episode::Failure lost{"the server went away", {}, {}};
+    const algorithm::Request both{0, 0, algorithm::Pool::Train, 2, {}};
+    Round first = round(0);
+    const auto jobs = first.missing();
+    first.take({outcome(jobs[0], k3d::episode::Result())}, ledger_);
+    std::vector<episode::Job> again{jobs[1]};
+    for (int i = 0; i < kTries; ++i)
+        again = first.take({outcome(again[0], tl::unexpected(lost))}, ledger_);
+    ASSERT_TRUE(first.complete());
+    EXPECT_FALSE(first.failed(both));
+    EXPECT_EQ(first.score(both).n, 2);
+
+    const algorithm::Request none{0, 1, algorithm::Pool::Train, 2, {}};
+    Round second = round(1);
+    again = second.missing();
+    while (!again.empty()) {
+        std::vector<episode::Outcome> outcomes;
+        for (const episode::Job& job : again)
+            outcomes.push_back(outcome(job, tl::unexpected(lost)));
+        again = second.take(outcomes, ledger_);
+    }
+    ASSERT_TRUE(second.complete());
+    EXPECT_TRUE(second.failed(none));
+}
+
 TEST_F(RoundOfTwo, ALateFailureOfAnEarlierTryEndsNothing) {
     Round first = round(0);
     const auto jobs = first.missing();

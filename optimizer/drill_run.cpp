@@ -4,9 +4,12 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
 #include <csignal>
 #include <iostream>
 #include <memory>
+#include <string_view>
 
 #include "common/config/command_line.h"
 #include "common/log/log.h"
@@ -38,14 +41,18 @@ const std::vector<config::ShortFlag> kFlags{
     {"--server-port", "server_port", "its monitor port"},
 };
 
-/// `agent:` and `server:` settings are passed on; the others are the drill's own.
+bool is_passed_on(const std::string& path) {
+    constexpr std::array<std::string_view, 4> kPrograms{"server:", "agent:", "keeper:", "taker:"};
+    return std::any_of(kPrograms.begin(), kPrograms.end(),
+                       [&path](std::string_view program) { return path.starts_with(program); });
+}
+
+/// Settings of server and agents are passed on; the others are the drill's own.
 spec::DrillSpec resolve(config::CommandLine line, const std::string& name) {
     spec::DrillSpec spec;
     std::string passed_on;
     std::erase_if(line.settings, [&](const auto& setting) {
-        if (!setting.first.starts_with("agent:") && !setting.first.starts_with("server:")) {
-            return false;
-        }
+        if (!is_passed_on(setting.first)) return false;
         passed_on += " " + spec::quote_word(setting.first + "=" + setting.second);
         return true;
     });

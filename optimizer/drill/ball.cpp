@@ -16,6 +16,7 @@ constexpr double kHeldSpeed = 0.3;      // m/s
 constexpr double kHeldFor = 0.3;        // s
 constexpr double kRollLimit = 14.0;     // s
 constexpr double kKickedSpeed = 1.5;    // m/s: faster than feet push it by accident
+constexpr double kTouch = 0.2;          // m/s gained within a frame: a rolling ball gains none
 constexpr double kKickRoom = 1.8;       // m ahead of the robot that watches
 constexpr double kKickerBehind = 0.5;   // m
 constexpr double kKickLeast = 3.0;      // m asked of the kicker
@@ -80,6 +81,17 @@ std::size_t first_faster(const std::vector<Moment>& moments, double speed) {
     return i;
 }
 
+/// The moment from which on the ball rolls untouched: a foot may push it before it is kicked, or
+/// meet it again.
+std::size_t last_touch(const std::vector<Moment>& moments, std::size_t begun) {
+    std::size_t touch = begun;
+    for (std::size_t i = begun + 1; i < moments.size(); ++i) {
+        const double gained = moments[i].ball_velocity.norm() - moments[i - 1].ball_velocity.norm();
+        if (gained > kTouch) touch = i;
+    }
+    return touch;
+}
+
 void act_roll(Stage& stage, const Roll& roll, double kick_limit) {
     stage.begin(roll.robot, ball_at(roll.ball), roll.kicker);
     Vec3 before = stage.truth().ball;
@@ -105,7 +117,8 @@ void act_roll(Stage& stage, const Roll& roll, double kick_limit) {
 
 Measured measure_roll(const std::vector<Moment>& moments, const Roll& roll) {
     Measured out;
-    const std::size_t begun = first_faster(moments, roll.kicker ? kKickedSpeed : 0.5 * roll.speed);
+    const std::size_t begun =
+        last_touch(moments, first_faster(moments, roll.kicker ? kKickedSpeed : 0.5 * roll.speed));
     const bool rolls = begun + 1 < moments.size();
     out.reason = rolls ? "done" : "no_kick";
     if (!rolls) return out;

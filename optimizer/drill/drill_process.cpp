@@ -8,7 +8,6 @@
 
 #include "optimizer/episode/collect.h"
 #include "optimizer/episode/job_match.h"
-#include "optimizer/spec/settings.h"
 #include "optimizer/spec/words.h"
 
 namespace k3d::optimizer::drill {
@@ -70,11 +69,10 @@ std::vector<std::string> drill_command(const episode::Job& job, const std::strin
     for (const std::string& text : spec::split_words(job.task.drill)) add_set(words, text);
     if (!job.task.server_program.empty()) add_set(words, "server_program=" + job.task.server_program);
     if (!job.task.agent_program.empty()) add_set(words, "agent_program=" + job.task.agent_program);
-    const spec::Settings fixed = spec::parse_settings(job.task.settings);
-    for (const std::string& setting : fixed.server) add_set(words, "server:" + setting);
-    for (const std::string& setting : fixed.keeper) add_set(words, "agent:" + setting);
+    for (const std::string& setting : spec::split_words(job.task.settings)) add_set(words, setting);
+    // Not for the second robot of a drill: the candidate would set the task that it is judged on.
     for (const std::string& setting : episode::settings_of(job, folder)) {
-        add_set(words, "agent:" + setting);
+        add_set(words, "keeper:" + setting);
     }
     return words;
 }

@@ -132,7 +132,8 @@ std::unique_ptr<process::Child> Stage::start_agent(const spec::DrillSpec& spec, 
     if (!agent_socket_.empty()) words.insert(words.end(), {"--socket", agent_socket_});
     if (!spec.agent_config.empty()) words.insert(words.end(), {"--config", spec.agent_config});
     add_settings(words, settings);
-    add_settings(words, spec::parse_settings(spec.settings).keeper);
+    const spec::Settings passed_on = spec::parse_settings(spec.settings);
+    add_settings(words, unum == 1 ? passed_on.keeper : passed_on.taker);
     const char* log = unum == 1 ? kAgentLog : kSecondLog;
     return std::make_unique<process::Child>(process::Spawn{words, folder_ + log, false, batch_});
 }

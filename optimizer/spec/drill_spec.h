@@ -105,8 +105,10 @@ struct DrillSpec {
         f.section("setup", setup);
         f.text("server_config", server_config, {}, "TOML file, passed on to k3d-server");
         f.text("agent_config", agent_config, {}, "TOML file, passed on to k3d-agent");
-        f.text("settings", settings, {},
-               "words PROGRAM:path=value passed on as --set path=value, PROGRAM server or agent");
+        f.text(
+            "settings", settings, {},
+            "words PROGRAM:path=value passed on as --set path=value, PROGRAM server, agent, keeper "
+            "(the robot that is measured) or taker (a second one)");
         f.integer("http_port", http_port, {-1, 65535}, "", "of the page; 0 = any, -1 = no page");
         f.text("results", results, {}, "file for one EpisodeResult line per run");
         f.text("log_folder", log_folder, {},

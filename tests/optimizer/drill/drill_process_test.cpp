@@ -28,9 +28,10 @@ TEST(DrillCommand, ChoosesRowSeedAndTableOfTheOneRun) {
     EXPECT_EQ(value_of(words, "--seed"), "998");
     EXPECT_EQ(value_of(words, "--scenarios"), "validation");
     EXPECT_EQ(value_of(words, "--results"), "/tmp/result.jsonl");
-    EXPECT_THAT(words, IsSupersetOf({"first=2", "setup.kick_limit_s=10.0",
-                                     "server:vision.noise=false", "agent:world.ball.alpha=0.9",
-                                     "agent:motion.walk.lean=0.1"}));
+    EXPECT_THAT(words,
+                IsSupersetOf({"first=2", "setup.kick_limit_s=10.0", "server:vision.noise=false",
+                              "agent:world.ball.alpha=0.9", "keeper:motion.walk.lean=0.1"}))
+        << "a second robot must not play with what is judged";
     job.key.phase = episode::Phase::Baseline;
     EXPECT_EQ(value_of(drill_command(job, "/tmp"), "--scenarios"), "test");
 }

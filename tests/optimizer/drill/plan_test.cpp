@@ -121,6 +121,40 @@ TEST(BallRolls, WithOddSeedsASecondRobotKicksTheBall) {
     EXPECT_TRUE(plan(spec, 0, random).second_settings.empty());
 }
 
+/// Moments of a ball that rolls along x, of these speeds in m/s.
+std::vector<Moment> rolling(const std::vector<double>& speeds) {
+    std::vector<Moment> moments;
+    Vec3 ball(-5.0, 0.0, 0.042);
+    for (const double speed : speeds) {
+        Moment moment;
+        moment.time = static_cast<double>(moments.size()) * kFrameSeconds;
+        moment.ball_velocity = {speed, 0.0};
+        ball.x() += speed * kFrameSeconds;
+        moment.truth.ball = ball;
+        moments.push_back(moment);
+    }
+    return moments;
+}
+
+TEST(BallRolls, AreMeasuredFromTheLastTouchOn) {
+    spec::DrillSpec spec;
+    spec.name = "ball_rolls";
+    spec.seed = 7;
+    RandomStream random(7, spec.name, "drill");
+    const Plan kicked = plan(spec, 0, random);
+    ASSERT_FALSE(kicked.second_settings.empty());
+    const std::vector<double> pushed{0.0, 0.0, 1.6, 1.5, 1.4, 1.3};
+    const std::vector<double> struck{3.0, 4.0, 3.5, 3.0, 2.5, 2.0, 1.5, 1.0, 0.5, 0.0};
+    std::vector<double> both = pushed;
+    both.insert(both.end(), struck.begin(), struck.end());
+    const Measured measured = kicked.measure(rolling(both));
+    EXPECT_EQ(measured.reason, "done");
+    EXPECT_NEAR(measured.metrics.at("ball_speed_mps"), 3.5, 1e-9);
+    const double rolled = (4.0 + 3.5 + 3.0 + 2.5 + 2.0 + 1.5 + 1.0 + 0.5) * kFrameSeconds;
+    EXPECT_NEAR(measured.metrics.at("rolled_m"), rolled, 1e-9);
+    EXPECT_EQ(kicked.measure(rolling({0.0, 0.3, 0.2, 0.0})).reason, "no_kick");
+}
+
 TEST(Scenarios, TablesAreDisjointAndWithinTheField) {
     std::vector<Scenario> all;
     for (const char* table : {"train", "validation", "test"}) {

@@ -357,10 +357,13 @@ void add_reproduce_verb(CLI::App& app, std::function<int()>& chosen) {
     std::vector<std::string> parts = spec::kParts;
     parts.push_back("all");
     verb->add_option("PART", flags->part, "what of it (default all)")->check(CLI::IsMember(parts));
-    verb->add_option("--budget", flags->budget, "small, paper, large, or a TOML file (default small)");
+    verb->add_option("--budget", flags->budget,
+                     "small, paper, large, published, or a TOML file (default small)");
     verb->add_option("--out", flags->out, "folder (default runs/reproduce-BUDGET)");
-    verb->add_option("--champion", flags->champion,
-                     "network file learned before: plays table 1 too, and transfer");
+    verb->add_option(
+        "--champion", flags->champion,
+        "network file learned before: plays table 1 too, and in the champion's place against "
+        "slow or foreign takers and in transfer");
     verb->add_option("--foreign-takers", flags->foreign_takers,
                      "command of a foreign program: table 1 also against it in the takers' seats");
     verb->add_option("--experiments", flags->experiments,

@@ -27,7 +27,7 @@ struct JobMaker {
     const spec::Experiment& experiment;
     std::string run;
 
-    /// Without a payload: the agent's own settings.
+    /// Without a payload: the task's settings alone.
     episode::Job job(const std::optional<algorithm::Payload>& payload, episode::Phase phase,
                      const algorithm::Request& request, int episode) const;
 };

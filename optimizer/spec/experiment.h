@@ -52,7 +52,7 @@ struct TestSpec {
     void describe(config::Fields& f) {
         f.integer("episodes", episodes, {0, 100000}, "",
                   "of the champion on test seeds, which nothing before has seen");
-        f.boolean("baseline", baseline, "play the same seeds with the agent's own settings too");
+        f.boolean("baseline", baseline, "play the same seeds with the task's settings alone, too");
         f.text("settings", settings, {},
                "further words as task.settings has them, in the test alone: learnt on the fast stepper, "
                "judged on the exact one");

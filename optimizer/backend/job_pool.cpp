@@ -126,16 +126,18 @@ std::vector<std::pair<std::string, episode::Outcome>> JobPool::poll_with_runs() 
         at = running_.erase(at);
         end_logs(over->folder, !ending->has_value());
         if (!*ending) {
-            // An episode that found no room for its files has not failed: nothing can be played
-            // here now.
-            if (full_disk_.empty()) full_disk_ = full_disk(folder_);
-            if (!full_disk_.empty()) continue;
+            // An episode that found no room for its files, or no process, has not failed: nothing
+            // can be played here now.
+            if (fault_.empty()) {
+                fault_ = ending->error().of_machine ? ending->error().reason : full_disk(folder_);
+            }
+            if (!fault_.empty()) continue;
             ending->error().reason += "; logs in " + over->folder;
         }
         ended.emplace_back(over->job.run, outcome(*over, std::move(*ending)));
     }
     // What has a result is worth keeping, so it goes out before the error does.
-    if (!full_disk_.empty() && ended.empty()) throw std::runtime_error(full_disk_);
+    if (!fault_.empty() && ended.empty()) throw std::runtime_error(fault_);
     return ended;
 }
 

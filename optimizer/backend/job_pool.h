@@ -32,8 +32,9 @@ class JobPool {
     /// Throws process::ProcessError or std::runtime_error if it cannot even be started: that is this
     /// machine's fault, and no try of the job.
     void start(const episode::Job& job);
-    /// The tries that have ended since the last call. Once one has failed while the log folder's disk
-    /// was full, that is no failure: after the results that came with it, std::runtime_error.
+    /// The tries that have ended since the last call. One that failed while the log folder's disk
+    /// was full, or for which a further program could not be started, is none either: after the
+    /// results that came with it, std::runtime_error.
     std::vector<episode::Outcome> poll();
     /// The same, each with its run.
     std::vector<std::pair<std::string, episode::Outcome>> poll_with_runs();
@@ -70,7 +71,7 @@ class JobPool {
     std::string worker_;
     std::vector<std::unique_ptr<Running>> running_;
     std::deque<std::string> kept_;
-    std::string full_disk_;  ///< told by the next poll() that has nothing else to tell
+    std::string fault_;  ///< this machine's; told by the next poll() that has nothing else to tell
 };
 
 }  // namespace k3d::optimizer::backend

@@ -32,6 +32,10 @@ Worker::Worker(const WorkerOptions& options)
       jobs_(link_.jobs()),
       pool_(options.jobs, options.log_folder) {}
 
+Worker::~Worker() {
+    for (auto& [which, held] : held_) held.message.again();
+}
+
 void Worker::work(Wakeups& wakeups) {
     const auto idle = std::chrono::duration<double>(options_.idle_s);
     while (!wakeups.stop_wanted()) {
@@ -47,7 +51,6 @@ void Worker::work(Wakeups& wakeups) {
         if (pool_.running() == 0 && link_.connected()) next = now;  // take() waits
         wakeups.wait(next);
     }
-    for (auto& [which, held] : held_) held.message.again();
 }
 
 void Worker::take() {
@@ -82,8 +85,8 @@ void Worker::accept(NatsMessage message) {
         finished_.push_back({std::move(message), job.run, std::move(outcome)});
         return;
     }
-    pool_.start(job);
     held_.emplace(which, Held{std::move(message), job.run});
+    pool_.start(job);
 }
 
 void Worker::collect() {

@@ -26,9 +26,14 @@ class Worker {
   public:
     /// Throws NatsError if the server cannot be reached.
     explicit Worker(const WorkerOptions& options);
+    /// What it was at is given back: others get it at once.
+    ~Worker();
+    Worker(const Worker&) = delete;
+    Worker& operator=(const Worker&) = delete;
 
-    /// Works until the user wants it to stop, or for too long nothing was to be done. What it was at
-    /// is then given back.
+    /// Works until the user wants it to stop, or for too long nothing was to be done. Throws
+    /// std::runtime_error if this machine can play nothing: its disk is full, or a program cannot
+    /// be started here. Others may be able to.
     void work(Wakeups& wakeups);
 
   private:

@@ -78,7 +78,7 @@ std::optional<Ending> Episode::start_agents_when_ready() {
         try {
             start_agents(*port);
         } catch (const process::ProcessError& error) {
-            return fail(error.what(), 1);
+            return tl::unexpected(Failure{error.what(), std::nullopt, 1, true});
         }
         phase_ = Phase::Playing;
     } else if (exit) {

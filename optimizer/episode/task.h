@@ -25,6 +25,9 @@ struct Failure {
     std::optional<Result> result;  ///< the server's line all the same, e.g. agent_lost or diverged
     /// Set when another try would fail in the same way (bad flag, busy port): the exit code due.
     std::optional<int> hopeless;
+    /// This machine could not start a program (it is missing here, or no further process or file is
+    /// to be had), which says nothing of the episode.
+    bool of_machine = false;
 };
 
 using Ending = tl::expected<Result, Failure>;

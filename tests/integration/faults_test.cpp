@@ -78,7 +78,7 @@ class Faults : public RunRig {
     void start_daemon(const std::string& verb) {
         std::vector<std::string> words{verb};
         if (verb == "run") words.insert(words.end(), {path("exp.toml"), "--run"});
-        words.insert(words.end(), {path("hit"), "--nats", nats_.url(), "--lease-s", "1"});
+        words.insert(words.end(), {path("hit"), "--nats", nats_.url(), "--lease-s", lease_s_});
         daemon_ = std::make_unique<process::Child>(start(words, "daemon.log"));
     }
 
@@ -144,6 +144,7 @@ class Faults : public RunRig {
     }
 
     NatsProcess nats_;
+    std::string lease_s_ = "1";
     std::map<int, std::unique_ptr<process::Child>> workers_;
     std::unique_ptr<process::Child> daemon_;
 };
@@ -209,6 +210,32 @@ TEST_F(Faults, AWorkerThatIsToldToStopGivesItsWorkBack) {
     EXPECT_EQ(exit->code, 0) << content("worker-0.log");
     start_worker(1);
     expect_end();
+}
+
+TEST_F(Faults, AWorkerWithoutAProgramEndsAndLeavesNoTrace) {
+    std::filesystem::create_directories(path("bin"));
+    std::filesystem::create_symlink(K3D_BIN_DIR "/quick_episode", path("bin/quick_taker"));
+    std::string text = quick_experiment();
+    text.insert(text.find("keepers = "),
+                "taker_command = \"quick_taker --role taker --port {port} --unum {unum}\"\n");
+    write("exp.toml", text);
+    // Nobody would wait so long for a lease to run out: its episodes must be given back.
+    lease_s_ = "3000";
+    start_worker(0);
+    start_daemon("run");
+    const auto exit = workers_[0]->wait(kRunPatience);
+    ASSERT_TRUE(exit) << content("worker-0.log");
+    EXPECT_EQ(exit->code, 1);
+    const std::string said =
+        "\nk3d-optimizer: cannot start quick_taker: No such file or directory\n";
+    EXPECT_THAT(content("worker-0.log"), ::testing::EndsWith(said));
+    const std::string others = std::getenv("PATH");
+    ::setenv("PATH", (path("bin") + ":" + others).c_str(), 1);
+    start_worker(1);
+    expect_end();
+    EXPECT_EQ(failed_tries("hit"), "");
+    EXPECT_EQ(canonical("hit"), calm_bytes());
+    ::setenv("PATH", others.c_str(), 1);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include "optimizer/backend/job_pool.h"
 
 #include <dlfcn.h>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/statvfs.h>
 
@@ -95,6 +96,49 @@ TEST_F(Jobs, AFullDiskIsNoFailureAndLosesNoResult) {
     } catch (const std::runtime_error& error) {
         EXPECT_EQ(error.what(), base_ + "/logs: only 0 KiB are left on this disk");
     }
+}
+
+TEST_F(Jobs, AProgramThatCannotBeStartedIsNoFailureAndLosesNoResult) {
+    const std::string gate = "until [ -e $base/gate ]; do sleep 0.02; done; ";
+    server_plays(": > $base/ready-$seed; " + gate + "result >> $results");
+    JobPool pool(2, base_ + "/logs");
+    pool.start(job(1));
+    ASSERT_TRUE(await([&] {
+        EXPECT_TRUE(pool.poll().empty());
+        return pids().size() == 4;
+    }));
+    episode::Job other = job(2);
+    other.task.taker_command = "/nowhere/taker";
+    pool.start(other);
+    // Nobody looks until the first is over and the second one's server waits for its agents.
+    ASSERT_TRUE(await([this] { return std::filesystem::exists(base_ + "/ready-2"); }));
+    std::ofstream(base_ + "/gate").flush();
+    ASSERT_TRUE(await([this] { return all_over(); }));
+    const auto ended = pool.poll();
+    ASSERT_EQ(ended.size(), 1U);
+    EXPECT_EQ(ended[0].seed, 1U);
+    EXPECT_TRUE(ended[0].ending.has_value());
+    try {
+        pool.poll();
+        FAIL() << "an episode that this machine cannot play is no failure of the episode";
+    } catch (const std::runtime_error& error) {
+        EXPECT_STREQ(error.what(), "cannot start /nowhere/taker: No such file or directory");
+    }
+}
+
+TEST_F(Jobs, AProgramThatStartsAndFailsIsTheJobsMatter) {
+    server_plays("sleep 600");
+    agents_play("echo I know no such flag; exit 2");
+    JobPool pool(1, base_ + "/logs");
+    pool.start(job(1));
+    std::vector<episode::Outcome> ended;
+    ASSERT_TRUE(await([&] {
+        ended = pool.poll();
+        return !ended.empty();
+    }));
+    const episode::Failure& failure = ended[0].ending.error();
+    EXPECT_THAT(failure.reason, testing::HasSubstr(": exit code 2: I know no such flag"));
+    EXPECT_EQ(failure.hopeless, 2);
 }
 
 TEST_F(Jobs, AStartThatFailsLosesNoResult) {

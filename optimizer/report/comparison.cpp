@@ -62,10 +62,10 @@ std::vector<Figure> figures_of(const spec::TaskSpec& task) {
 /// By episode, of those with a valid result that has this figure.
 std::map<int, double> values_of(const ComparedRow& row, const Figure& figure) {
     std::map<int, double> values;
-    for (const ledger::Row& r : row.rows) {
-        if (r.result.empty()) continue;
-        if (const auto value = figure.value(r, k3d::episode::from_line(r.result))) {
-            values[r.key.episode] = *value;
+    for (std::size_t i = 0; i < row.rows.size(); ++i) {
+        if (!row.results[i]) continue;
+        if (const auto value = figure.value(row.rows[i], *row.results[i])) {
+            values[row.rows[i].key.episode] = *value;
         }
     }
     return values;
@@ -74,11 +74,11 @@ std::map<int, double> values_of(const ComparedRow& row, const Figure& figure) {
 /// By episode, of those with a valid result.
 std::map<int, Lifetime> lifetimes_of(const ComparedRow& row) {
     std::map<int, Lifetime> lives;
-    for (const ledger::Row& r : row.rows) {
-        if (r.result.empty()) continue;
-        const Result result = k3d::episode::from_line(r.result);
-        lives[r.key.episode] = {result.hold_time_s,
-                                result.status != k3d::episode::Status::Truncated};
+    for (std::size_t i = 0; i < row.rows.size(); ++i) {
+        if (const auto& result = row.results[i]) {
+            lives[row.rows[i].key.episode] = {result->hold_time_s,
+                                              result->status != k3d::episode::Status::Truncated};
+        }
     }
     return lives;
 }
@@ -140,38 +140,23 @@ void mark_medians(const Comparison& comparison, ComparedFigure& figure) {
     }
 }
 
-}  // namespace
-
-std::string episodes_csv(const Comparison& comparison) {
-    const std::vector<Figure> figures = figures_of(comparison.table.task);
-    std::string text = "row,episode,seed,status,reason";
-    for (const Figure& figure : figures) text += "," + figure.name;
-    text += '\n';
-    for (const ComparedRow& row : comparison.rows) {
-        for (const ledger::Row& r : row.rows) {
-            text += fmt::format("{},{},{},{},{}", row.spec.key, r.key.episode, r.seed, r.status,
-                                csv_quoted(r.reason));
-            for (const Figure& figure : figures) {
-                const auto value = r.result.empty()
-                                       ? std::nullopt
-                                       : figure.value(r, k3d::episode::from_line(r.result));
-                text += value ? fmt::format(",{}", *value) : ",";
-            }
-            text += '\n';
-        }
+ComparedLine line_of(const Comparison& comparison, const ComparedRow& row,
+                     const ComparedRow* reference, const Figure& figure,
+                     const std::map<int, double>& base) {
+    const auto values = values_of(row, figure);
+    ComparedLine line{row.spec.key, row.spec.label, statistics(sample_of(values)), std::nullopt};
+    if (row.rows.size() < static_cast<std::size_t>(comparison.table.episodes)) {
+        line.label +=
+            fmt::format(" (unfinished: {} of {})", row.rows.size(), comparison.table.episodes);
     }
-    return text;
+    if (&row != reference) {
+        const auto [ours, theirs] = pairs_of(values, base);
+        line.against = paired(ours, theirs);
+    }
+    return line;
 }
 
-std::string warning(const Comparison& comparison) {
-    std::set<std::string> versions;
-    for (const ComparedRow& row : comparison.rows) versions.insert(row.version);
-    if (versions.size() < 2) return "";
-    return fmt::format("Rows were played by different versions of the code: {}. Their episodes can be "
-                       "compared only where the versions play alike.", fmt::join(versions, ", "));
-}
-
-std::vector<ComparedFigure> compare(const Comparison& comparison) {
+std::vector<ComparedFigure> figures_in(const Comparison& comparison) {
     const ComparedRow* reference = reference_of(comparison);
     std::vector<ComparedFigure> out;
     for (const Figure& figure : figures_of(comparison.table.task)) {
@@ -179,18 +164,7 @@ std::vector<ComparedFigure> compare(const Comparison& comparison) {
         const auto base =
             reference == nullptr ? std::map<int, double>() : values_of(*reference, figure);
         for (const ComparedRow& row : comparison.rows) {
-            const auto values = values_of(row, figure);
-            ComparedLine line{row.spec.key, row.spec.label, statistics(sample_of(values)),
-                              std::nullopt};
-            if (row.rows.size() < static_cast<std::size_t>(comparison.table.episodes)) {
-                line.label += fmt::format(" (unfinished: {} of {})", row.rows.size(),
-                                          comparison.table.episodes);
-            }
-            if (&row != reference) {
-                const auto [ours, theirs] = pairs_of(values, base);
-                line.against = paired(ours, theirs);
-            }
-            compared.lines.push_back(std::move(line));
+            compared.lines.push_back(line_of(comparison, row, reference, figure, base));
         }
         add_holm(compared);
         mark_medians(comparison, compared);
@@ -199,7 +173,7 @@ std::vector<ComparedFigure> compare(const Comparison& comparison) {
     return out;
 }
 
-std::vector<SurvivalLine> compare_survival(const Comparison& comparison) {
+std::vector<SurvivalLine> survival_in(const Comparison& comparison) {
     if (comparison.table.task.name != "keepaway") return {};
     const ComparedRow* reference = reference_of(comparison);
     const auto base = reference == nullptr ? std::map<int, Lifetime>() : lifetimes_of(*reference);
@@ -216,24 +190,24 @@ std::vector<SurvivalLine> compare_survival(const Comparison& comparison) {
     return out;
 }
 
-Circumstances circumstances(const ComparedRow& row) {
+Circumstances circumstances_of(const ComparedRow& row) {
     Circumstances out;
     out.episodes = row.rows.size();
     std::vector<double> takers, keepers;
     std::map<std::string, int> endings;
     double falls = 0.0, minutes = 0.0;
-    for (const ledger::Row& r : row.rows) {
-        ++endings[r.reason];
-        if (r.result.empty()) {
+    for (std::size_t i = 0; i < row.rows.size(); ++i) {
+        ++endings[row.rows[i].reason];
+        const auto& result = row.results[i];
+        if (!result) {
             ++out.failed;
             continue;
         }
-        const Result result = k3d::episode::from_line(r.result);
-        out.truncated += result.status == k3d::episode::Status::Truncated;
-        for (const auto& player : result.players) {
+        out.truncated += result->status == k3d::episode::Status::Truncated;
+        for (const auto& player : result->players) {
             (player.team == "right" ? takers : keepers).push_back(player.mean_speed);
             falls += player.falls;
-            minutes += result.hold_time_s / 60.0;
+            minutes += result->hold_time_s / 60.0;
         }
     }
     out.taker_speed = statistics(takers).mean;
@@ -243,6 +217,56 @@ Circumstances circumstances(const ComparedRow& row) {
         out.endings += fmt::format("{}{} {}", out.endings.empty() ? "" : ", ", reason, count);
     }
     return out;
+}
+
+void read_results(ComparedRow& row) {
+    row.results.clear();
+    for (const ledger::Row& r : row.rows) {
+        row.results.push_back(r.result.empty() ? std::nullopt
+                                               : std::optional(k3d::episode::from_line(r.result)));
+    }
+}
+
+}  // namespace
+
+Comparison compare(spec::TableSpec table, std::vector<ComparedRow> rows,
+                   std::vector<spec::PaperRow> paper) {
+    Comparison out{std::move(table), std::move(rows), std::move(paper), {}, {}, {}};
+    for (ComparedRow& row : out.rows) read_results(row);
+    out.figures = figures_in(out);
+    out.survival = survival_in(out);
+    for (const ComparedRow& row : out.rows) out.circumstances.push_back(circumstances_of(row));
+    return out;
+}
+
+std::string episodes_csv(const Comparison& comparison) {
+    const std::vector<Figure> figures = figures_of(comparison.table.task);
+    std::string text = "row,episode,seed,status,reason";
+    for (const Figure& figure : figures) text += "," + figure.name;
+    text += '\n';
+    for (const ComparedRow& row : comparison.rows) {
+        for (std::size_t i = 0; i < row.rows.size(); ++i) {
+            const ledger::Row& r = row.rows[i];
+            text += fmt::format("{},{},{},{},{}", row.spec.key, r.key.episode, r.seed, r.status,
+                                csv_quoted(r.reason));
+            for (const Figure& figure : figures) {
+                const auto value = row.results[i] ? figure.value(r, *row.results[i]) : std::nullopt;
+                text += value ? fmt::format(",{}", *value) : ",";
+            }
+            text += '\n';
+        }
+    }
+    return text;
+}
+
+std::string warning(const Comparison& comparison) {
+    std::set<std::string> versions;
+    for (const ComparedRow& row : comparison.rows) versions.insert(row.version);
+    if (versions.size() < 2) return "";
+    return fmt::format(
+        "Rows were played by different versions of the code: {}. Their episodes can be "
+        "compared only where the versions play alike.",
+        fmt::join(versions, ", "));
 }
 
 }  // namespace k3d::optimizer::report

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "common/episode/result.h"
 #include "optimizer/ledger/row.h"
 #include "optimizer/report/paired.h"
 #include "optimizer/report/statistics.h"
@@ -20,12 +21,9 @@ struct ComparedRow {
     std::string origin;              ///< who plays, e.g. which candidate of which run
     std::vector<ledger::Row> rows;   ///< in the order of episodes; fewer if the table is unfinished
     std::string version = {};        ///< of the code that played them
-};
-
-struct Comparison {
-    spec::TableSpec table;
-    std::vector<ComparedRow> rows;
-    std::vector<spec::PaperRow> paper;
+    /// Those of `rows`, in their order; none of an episode without a valid one. compare() reads
+    /// them.
+    std::vector<std::optional<k3d::episode::Result>> results = {};
 };
 
 /// One row in one figure.
@@ -62,13 +60,24 @@ struct Circumstances {
     std::string endings;
 };
 
+/// A table and all that is said of it.
+struct Comparison {
+    spec::TableSpec table;
+    std::vector<ComparedRow> rows;
+    std::vector<spec::PaperRow> paper;
+    std::vector<ComparedFigure> figures;
+    /// A line per row of keepaway; empty for drills, whose time is not one that somebody keeps the
+    /// ball.
+    std::vector<SurvivalLine> survival;
+    std::vector<Circumstances> circumstances;  ///< of each row
+};
+
+/// Reads every result and computes every figure, which takes a while: once, for all that is written
+/// of the table. Throws k3d::episode::ResultError for a result that cannot be read.
+Comparison compare(spec::TableSpec table, std::vector<ComparedRow> rows,
+                   std::vector<spec::PaperRow> paper = {});
 /// Empty, or that rows of this table were played by different versions of the code, and which.
 std::string warning(const Comparison& comparison);
-std::vector<ComparedFigure> compare(const Comparison& comparison);
-/// A line per row of keepaway; empty for drills, whose time is not one that somebody keeps the
-/// ball.
-std::vector<SurvivalLine> compare_survival(const Comparison& comparison);
-Circumstances circumstances(const ComparedRow& row);
 
 std::string comparison_text(const Comparison& comparison);
 std::string comparison_html(const Comparison& comparison);

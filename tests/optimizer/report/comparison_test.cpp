@@ -41,8 +41,17 @@ spec::RowSpec spec_of(const std::string& key, const std::string& search, int run
     return {.key = key, .label = "Row " + key, .settings = "", .search = search, .run = run};
 }
 
-Comparison three_rows() {
-    Comparison c;
+/// What a comparison is made of.
+struct Given {
+    spec::TableSpec table;
+    std::vector<ComparedRow> rows;
+    std::vector<spec::PaperRow> paper;
+
+    Comparison compared() const { return compare(table, rows, paper); }
+};
+
+Given three_rows() {
+    Given c;
     c.table.name = "table1-greedy";
     c.table.title = "Table 1";
     c.table.reference = "algorithm2";
@@ -54,8 +63,8 @@ Comparison three_rows() {
 }
 
 TEST(Comparison, ByEpisodeAgainstTheReference) {
-    const auto figures = compare(three_rows());
-    const ComparedFigure& attempts = figures.at(0);
+    const Comparison c = three_rows().compared();
+    const ComparedFigure& attempts = c.figures.at(0);
     EXPECT_EQ(attempts.name, "attempts");
     EXPECT_DOUBLE_EQ(*attempts.lines[0].s.mean, 5.0);
     ASSERT_TRUE(attempts.lines[0].against);
@@ -68,7 +77,7 @@ TEST(Comparison, ByEpisodeAgainstTheReference) {
 }
 
 TEST(Comparison, EveryEpisodeIsALineOfItsFigures) {
-    const std::string csv = episodes_csv(three_rows());
+    const std::string csv = episodes_csv(three_rows().compared());
     EXPECT_THAT(csv, testing::StartsWith("row,episode,seed,status,reason,attempts,hold_time_s,"
                                          "passes_completed,kicks\na-1,0,0,finished,"
                                          "\"taker_reached_ball\",4,20,"));
@@ -77,45 +86,47 @@ TEST(Comparison, EveryEpisodeIsALineOfItsFigures) {
 }
 
 TEST(Comparison, ARowThatIsNotPlayedToTheEndSaysSo) {
-    Comparison c = three_rows();
-    c.table.episodes = 2;
-    c.rows[2].rows.pop_back();
-    const ComparedFigure attempts = compare(c).at(0);
+    Given given = three_rows();
+    given.table.episodes = 2;
+    given.rows[2].rows.pop_back();
+    const ComparedFigure attempts = given.compared().figures.at(0);
     EXPECT_EQ(attempts.lines[1].label, "Row a-2");
     EXPECT_EQ(attempts.lines[2].label, "Row algorithm2 (unfinished: 1 of 2)");
 }
 
 TEST(Comparison, WhatFailedIsCountedAndInNoMean) {
-    const Comparison c = three_rows();
-    const Circumstances s = circumstances(c.rows[1]);
+    const Comparison c = three_rows().compared();
+    const Circumstances& s = c.circumstances.at(1);
     EXPECT_EQ(s.episodes, 2u);
     EXPECT_EQ(s.failed, 1);
     EXPECT_DOUBLE_EQ(*s.taker_speed, 0.6);
     EXPECT_DOUBLE_EQ(*s.keeper_speed, 0.3);
     EXPECT_DOUBLE_EQ(*s.falls_per_minute, 1.0 / (2.0 * 40.0 / 60.0));
     EXPECT_EQ(s.endings, "no valid result in 4 tries 1, taker_reached_ball 1");
-    EXPECT_EQ(compare(c).at(1).lines[1].s.n, 1u);
+    EXPECT_EQ(c.figures.at(1).lines[1].s.n, 1u);
 }
 
 TEST(Comparison, DifferentVersionsAreNamed) {
-    Comparison c = three_rows();
-    for (auto& row : c.rows) row.version = "0.1.0+a";
-    EXPECT_EQ(warning(c), "");
-    c.rows[1].version = "0.1.0+b";
+    Given given = three_rows();
+    for (auto& row : given.rows) row.version = "0.1.0+a";
+    EXPECT_EQ(warning(given.compared()), "");
+    given.rows[1].version = "0.1.0+b";
+    const Comparison c = given.compared();
     EXPECT_THAT(warning(c), HasSubstr("0.1.0+a, 0.1.0+b"));
     EXPECT_THAT(comparison_text(c), HasSubstr(warning(c)));
     EXPECT_THAT(comparison_html(c), HasSubstr(warning(c)));
 }
 
 TEST(Comparison, ThePaperStandsBeside) {
-    const std::string text = comparison_text(three_rows());
+    const Comparison c = three_rows().compared();
+    const std::string text = comparison_text(c);
     EXPECT_THAT(text, HasSubstr("Paper: learned"));
     EXPECT_THAT(text, HasSubstr("4.55 (se 0.129, n 100)"));
     EXPECT_THAT(text, HasSubstr("31.764 (se 0.482, n 100)"));
     EXPECT_THAT(text, HasSubstr("takers m/s 0.60"));
-    const std::string html = comparison_html(three_rows());
+    const std::string html = comparison_html(c);
     EXPECT_THAT(html, HasSubstr("<td>Row a-1 (median run)</td><td>2</td><td>5.00</td>"));
-    const std::string csv = comparison_csv(three_rows());
+    const std::string csv = comparison_csv(c);
     EXPECT_THAT(csv, HasSubstr("table1-greedy,a-1,\"Row a-1 (median run)\",attempts,2,5,"));
     const auto columns = [](const std::string& line) {
         return std::count(line.begin(), line.end(), ',');
@@ -128,13 +139,13 @@ TEST(Comparison, ThePaperStandsBeside) {
 }
 
 TEST(Comparison, ATimeLimitIsCountedForAsLongAsItLasted) {
-    Comparison c = three_rows();
-    c.table.task.name = "keepaway";
-    ledger::Row& cut = c.rows[0].rows[1];  // of 30 s
+    Given given = three_rows();
+    ledger::Row& cut = given.rows[0].rows[1];  // of 30 s
     auto result = k3d::episode::from_line(cut.result);
     result.status = k3d::episode::Status::Truncated;
     cut.result = k3d::episode::to_line(result);
-    const auto lines = compare_survival(c);
+    const Comparison c = given.compared();
+    const auto& lines = c.survival;
     ASSERT_EQ(lines.size(), 3u);
     EXPECT_EQ(lines[0].s.ended, 1u);
     EXPECT_EQ(lines[0].s.cut, 1u);
@@ -146,9 +157,27 @@ TEST(Comparison, ATimeLimitIsCountedForAsLongAsItLasted) {
     EXPECT_THAT(comparison_text(c), HasSubstr("seconds held per episode that ended"));
     EXPECT_THAT(comparison_html(c),
                 HasSubstr("<td>Row a-1</td><td>1</td><td>1</td><td>50.00</td>"));
-    c.table.task.name = "kick";
-    EXPECT_TRUE(compare_survival(c).empty());
-    EXPECT_THAT(comparison_text(c), testing::Not(HasSubstr("per episode that ended")));
+    given.table.task.name = "kick";
+    EXPECT_TRUE(given.compared().survival.empty());
+    EXPECT_THAT(comparison_text(given.compared()),
+                testing::Not(HasSubstr("per episode that ended")));
+}
+
+TEST(Comparison, WhatIsWrittenOfATableIsComputedOnce) {
+    Comparison c = three_rows().compared();
+    for (ComparedRow& row : c.rows) {
+        for (ledger::Row& r : row.rows) r.result = "not to be read again";
+    }
+    c.figures[0].lines[0].s.mean = 1234.5;
+    c.survival[0].s.s_per_end = 2345.5;
+    c.circumstances[0].endings = "told once";
+    for (const std::string& written : {comparison_text(c), comparison_html(c), comparison_csv(c)}) {
+        EXPECT_THAT(written, HasSubstr("1234.5"));
+        EXPECT_THAT(written, HasSubstr("2345.5"));
+    }
+    EXPECT_THAT(comparison_text(c), HasSubstr("ended by told once"));
+    EXPECT_THAT(comparison_html(c), HasSubstr("told once"));
+    EXPECT_THAT(episodes_csv(c), HasSubstr("\na-1,0,0,finished,\"taker_reached_ball\",4,20,"));
 }
 
 }  // namespace

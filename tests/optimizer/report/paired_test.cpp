@@ -13,8 +13,8 @@ TEST(Paired, DifferenceRatioAndInterval) {
     const auto p = paired({2.0, 4.0, 6.0, 8.0}, {1.0, 2.0, 5.0, 4.0});
     ASSERT_TRUE(p);
     EXPECT_EQ(p->n, 4u);
-    EXPECT_DOUBLE_EQ(p->difference, 2.0);  // 1, 2, 1, 4; sd sqrt(2), t(3) 3.182
-    EXPECT_NEAR(p->high - p->difference, 3.182 * std::sqrt(2.0) / 2.0, 1e-9);
+    EXPECT_DOUBLE_EQ(p->difference, 2.0);  // 1, 2, 1, 4; sd sqrt(2), t(3) 3.18244630528
+    EXPECT_NEAR(p->high - p->difference, 3.18244630528 * std::sqrt(2.0) / 2.0, 1e-9);
     EXPECT_NEAR(p->difference - p->low, p->high - p->difference, 1e-12);
     EXPECT_DOUBLE_EQ(*p->ratio, 20.0 / 12.0);
     EXPECT_LT(p->ratio_low, *p->ratio);

@@ -24,6 +24,7 @@ struct Figure {
     std::string name;
     std::string title;
     Value value;
+    bool is_signed = false;  ///< may be below 0: then a ratio says nothing
 };
 
 Figure plain(std::string name, std::string title) {
@@ -32,6 +33,12 @@ Figure plain(std::string name, std::string title) {
         return found ? std::optional(*found) : std::nullopt;
     };
     return {std::move(name), std::move(title), std::move(value)};
+}
+
+Figure signed_figure(std::string name, std::string title) {
+    Figure figure = plain(std::move(name), std::move(title));
+    figure.is_signed = true;
+    return figure;
 }
 
 std::vector<Figure> figures_of(const spec::TaskSpec& task) {
@@ -48,8 +55,8 @@ std::vector<Figure> figures_of(const spec::TaskSpec& task) {
                 plain("succeeded", "Share of good kicks"), plain("falls", "Falls")};
     }
     if (task.name == "kick") {
-        return {plain("fitness_capped", "Equation (1), distance at most 6 m"),
-                plain("fitness_literal", "Equation (1), distance at least 6 m, as printed"),
+        return {signed_figure("fitness_capped", "Equation (1), distance at most 6 m"),
+                signed_figure("fitness_literal", "Equation (1), distance at least 6 m, as printed"),
                 plain("time_to_kick_s", "Time to the kick, s"), plain("distance_m", "Distance, m"),
                 plain("direction_error_deg", "Direction error, degrees")};
     }
@@ -93,6 +100,30 @@ std::pair<std::vector<T>, std::vector<T>> pairs_of(const std::map<int, T>& a,
         if (other == b.end()) continue;
         out.first.push_back(value);
         out.second.push_back(other->second);
+    }
+    return out;
+}
+
+/// Means of both rows over the episodes of a scenario that both have, scenario by scenario.
+/// Episodes that repeat a scenario are no new trials of how players compare on others.
+std::pair<std::vector<double>, std::vector<double>> scenario_pairs_of(
+    const std::map<int, double>& a, const std::map<int, double>& b, int scenarios) {
+    struct Sums {
+        double a = 0.0, b = 0.0, n = 0.0;
+    };
+    std::map<int, Sums> by_scenario;
+    for (const auto& [episode, value] : a) {
+        const auto other = b.find(episode);
+        if (other == b.end()) continue;
+        Sums& sums = by_scenario[episode % scenarios];
+        sums.a += value;
+        sums.b += other->second;
+        sums.n += 1.0;
+    }
+    std::pair<std::vector<double>, std::vector<double>> out;
+    for (const auto& [scenario, sums] : by_scenario) {
+        out.first.push_back(sums.a / sums.n);
+        out.second.push_back(sums.b / sums.n);
     }
     return out;
 }
@@ -149,10 +180,12 @@ ComparedLine line_of(const Comparison& comparison, const ComparedRow& row,
         line.label +=
             fmt::format(" (unfinished: {} of {})", row.rows.size(), comparison.table.episodes);
     }
-    if (&row != reference) {
-        const auto [ours, theirs] = pairs_of(values, base);
-        line.against = paired(ours, theirs);
-    }
+    if (&row == reference) return line;
+    const int scenarios = spec::scenarios_of(comparison.table.task.name);
+    const auto [ours, theirs] =
+        scenarios > 0 ? scenario_pairs_of(values, base, scenarios) : pairs_of(values, base);
+    line.against = paired(ours, theirs);
+    if (line.against && figure.is_signed) line.against->ratio.reset();
     return line;
 }
 

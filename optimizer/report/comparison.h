@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A table of test episodes: rows that met the same seeds, each figure with its mean, spread and interval,
-// and beside it how far it lies from the reference row, by seed. As text, CSV and HTML.
+// A table of test episodes: rows that met the same seeds, each figure with its mean, spread and
+// interval, and beside it how far it lies from the reference row, by seed; of a drill that repeats
+// fixed scenarios by scenario, each the mean of its episodes. As text, CSV and HTML.
 #pragma once
 
 #include <optional>

@@ -2,6 +2,8 @@
 // A comparison as text, CSV and HTML.
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "optimizer/report/comparison.h"
 #include "optimizer/report/run_text.h"
 #include "optimizer/report/svg_plot.h"
@@ -68,6 +70,16 @@ std::string reference_label(const Comparison& c) {
         if (row.spec.key == c.table.reference) return row.spec.label;
     }
     return "-";
+}
+
+/// What pairs are, and that spread is not over them where they are means.
+std::string pairs_said(const Comparison& c) {
+    const int scenarios = std::min(spec::scenarios_of(c.table.task.name), c.table.episodes);
+    if (scenarios == 0) return ", by seed";
+    return fmt::format(
+        "; pairs are the {} scenarios, each the mean of its episodes; n, mean, sd, se "
+        "and the mean's 95 % are over single episodes",
+        scenarios);
 }
 
 std::string text_head(const std::string& title, const Heads& heads) {
@@ -213,7 +225,8 @@ std::string csv_line(const spec::TableSpec& table, const SurvivalLine& line,
 
 std::string comparison_text(const Comparison& c) {
     std::string text = fmt::format("{}\n{}\n", c.table.title, std::string(c.table.title.size(), '='));
-    text += fmt::format("differences, ratios and p against: {}, by seed\n", reference_label(c));
+    text +=
+        fmt::format("differences, ratios and p against: {}{}\n", reference_label(c), pairs_said(c));
     if (const std::string said = warning(c); !said.empty()) text += said + "\n";
     for (const ComparedFigure& figure : c.figures) text += figure_text(c, figure);
     text += survival_text(c);
@@ -230,9 +243,9 @@ std::string comparison_text(const Comparison& c) {
 
 std::string comparison_html(const Comparison& c) {
     std::string out = fmt::format(
-        "<h2>{}</h2>\n<p class=\"dim\">Differences, ratios and p against: {}, by seed. p: signs of the "
-        "differences flipped at random, two-sided; Holm: over the rows of the figure.</p>\n",
-        escape(c.table.title), escape(reference_label(c)));
+        "<h2>{}</h2>\n<p class=\"dim\">Differences, ratios and p against: {}{}. p: signs of the "
+        "differences flipped, two-sided; Holm: over the rows of the figure.</p>\n",
+        escape(c.table.title), escape(reference_label(c)), pairs_said(c));
     if (const std::string said = warning(c); !said.empty()) out += "<p>" + escape(said) + "</p>\n";
     for (const ComparedFigure& figure : c.figures) out += figure_html(c, figure);
     out += survival_html(c);

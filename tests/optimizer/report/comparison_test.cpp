@@ -76,6 +76,113 @@ TEST(Comparison, ByEpisodeAgainstTheReference) {
     EXPECT_EQ(attempts.lines[1].label, "Row a-2");
 }
 
+ledger::Row possession_row(int episode, double time_s) {
+    k3d::episode::Result r;
+    r.game = "drill_kick_task";
+    r.reason = "done";
+    r.metrics = {{"succeeded", 1.0}};
+    r.state_hash = "00";
+    ledger::Row row;
+    row.key = {k3d::optimizer::episode::Phase::Test, 0, 0, episode};
+    row.status = "finished";
+    row.reason = r.reason;
+    row.fitness = -time_s;
+    row.result = k3d::episode::to_line(r);
+    return row;
+}
+
+/// Twelve scenarios by two, in which the reference takes 5 to 10.5 s. The other row is a tenth of
+/// that faster in the mean of a scenario's two episodes, in one by more than that and in one
+/// slower.
+Given two_rounds() {
+    Given c;
+    c.table.task.name = "possession";
+    c.table.episodes = 24;
+    c.table.reference = "rules";
+    c.rows = {{spec_of("a-1", "a", 1), "", {}}, {spec_of("rules", "", 1), "", {}}};
+    for (int episode = 0; episode < 24; ++episode) {
+        const double reference = 5.0 + 0.5 * (episode % 12);
+        const double swing = episode < 12 ? 2.0 : -2.0;
+        c.rows[0].rows.push_back(possession_row(episode, 0.9 * reference + swing));
+        c.rows[1].rows.push_back(possession_row(episode, reference));
+    }
+    return c;
+}
+
+TEST(Comparison, PairsOfARepeatedTableAreItsScenarios) {
+    const Comparison c = two_rounds().compared();
+    const ComparedLine& line = c.figures.at(0).lines.at(0);
+    EXPECT_EQ(line.s.n, 24u) << "spread is over episodes";
+    ASSERT_TRUE(line.against);
+    EXPECT_EQ(line.against->n, 12u);
+    EXPECT_NEAR(line.against->difference, -0.775, 1e-12);
+    EXPECT_DOUBLE_EQ(line.against->p_permutation, 2.0 / 4096.0) << "all have the same sign";
+    // The same share in each scenario: nothing is left of the swing within one.
+    EXPECT_NEAR(line.against->ratio_low, 0.9, 1e-12);
+    EXPECT_NEAR(line.against->ratio_high, 0.9, 1e-12);
+    const std::string said =
+        "pairs are the 12 scenarios, each the mean of its episodes; n, mean, sd, se and the mean's "
+        "95 % are over single episodes";
+    EXPECT_THAT(comparison_text(c), HasSubstr(said));
+    EXPECT_THAT(comparison_html(c), HasSubstr(said));
+    EXPECT_THAT(comparison_csv(c), HasSubstr(",rules,12,-0.77"));
+}
+
+TEST(Comparison, AScenarioIsTheMeanOfWhatBothRowsHave) {
+    Given given = two_rounds();
+    given.rows[0].rows[15].result.clear();  // scenario 3: episode 3 is left, 6.5 s against 5.85 + 2
+    given.rows[1].rows[4].result.clear();   // scenario 4: nothing is left
+    given.rows[1].rows[16].result.clear();
+    const ComparedLine line = given.compared().figures.at(0).lines.at(0);
+    ASSERT_TRUE(line.against);
+    EXPECT_EQ(line.against->n, 11u);
+    // In sum -9.3 of all twelve, less the -0.65 and -0.7 of these two, and 1.35.
+    EXPECT_NEAR(line.against->difference, (-9.3 + 0.65 + 0.7 + 1.35) / 11.0, 1e-12);
+}
+
+TEST(Comparison, SomeEpisodesOfADrillAreSomeScenarios) {
+    Given given = two_rounds();
+    given.table.episodes = 5;
+    for (ComparedRow& row : given.rows) row.rows.resize(5);
+    const Comparison c = given.compared();
+    EXPECT_EQ(c.figures.at(0).lines.at(0).against->n, 5u);
+    EXPECT_THAT(comparison_text(c), HasSubstr("pairs are the 5 scenarios"));
+}
+
+TEST(Comparison, RollsAndMatchesArePairedBySeed) {
+    Given given = two_rounds();
+    given.table.task.name = "ball_prediction";
+    for (ComparedRow& row : given.rows) {
+        for (ledger::Row& r : row.rows) {
+            auto result = k3d::episode::from_line(r.result);
+            result.metrics = {{"finish_loss", -r.fitness}};
+            r.result = k3d::episode::to_line(result);
+        }
+    }
+    const Comparison c = given.compared();
+    EXPECT_EQ(c.figures.at(0).lines.at(0).against->n, 24u);
+    EXPECT_THAT(comparison_text(c), HasSubstr("against: Row rules, by seed\n"));
+}
+
+TEST(Comparison, EquationOneHasNoRatio) {
+    Given given = two_rounds();
+    given.table.task.name = "kick";
+    for (ComparedRow& row : given.rows) {
+        for (ledger::Row& r : row.rows) {
+            auto result = k3d::episode::from_line(r.result);
+            // Its means over a scenario are above 0, as those of the distance are.
+            const double value = r.key.episode < 12 ? -0.5 : 1.0;
+            result.metrics = {{"fitness_capped", value}, {"distance_m", 4.0}};
+            r.result = k3d::episode::to_line(result);
+        }
+    }
+    const Comparison c = given.compared();
+    ASSERT_EQ(c.figures.at(0).name, "fitness_capped");
+    EXPECT_FALSE(c.figures.at(0).lines.at(0).against->ratio);
+    ASSERT_EQ(c.figures.at(3).name, "distance_m");
+    EXPECT_TRUE(c.figures.at(3).lines.at(0).against->ratio);
+}
+
 TEST(Comparison, EveryEpisodeIsALineOfItsFigures) {
     const std::string csv = episodes_csv(three_rows().compared());
     EXPECT_THAT(csv, testing::StartsWith("row,episode,seed,status,reason,attempts,hold_time_s,"

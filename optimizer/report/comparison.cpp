@@ -11,6 +11,7 @@
 #include <set>
 
 #include "optimizer/fitness/fitness.h"
+#include "optimizer/report/run_report.h"
 #include "optimizer/report/run_text.h"
 
 namespace k3d::optimizer::report {
@@ -155,19 +156,36 @@ void add_holm(ComparedFigure& figure) {
     }
 }
 
-/// Of each search with several runs the median one by this figure, the lower one of two.
+/// Whether rows are runs of this search by one budget: made here, or files that one command has
+/// made.
+bool are_runs(const std::vector<const ComparedRow*>& rows, const std::string& search) {
+    std::set<std::optional<std::string>> makers;
+    std::size_t files = 0;
+    for (const ComparedRow* row : rows) {
+        if (row->spec.network.empty() && row->spec.settings_file.empty()) continue;
+        makers.insert(command_in(row->origin, search));
+        ++files;
+    }
+    if (files == 0) return true;
+    return files == rows.size() && makers.size() == 1 && makers.begin()->has_value();
+}
+
+/// Marks the median run of each search by this figure. An even number of runs has two in the
+/// middle, neither of which is it.
 void mark_medians(const Comparison& comparison, ComparedFigure& figure) {
-    std::map<std::string, std::vector<std::size_t>> runs;
+    std::map<std::string, std::vector<std::size_t>> searches;
     for (std::size_t i = 0; i < comparison.rows.size(); ++i) {
         const auto& search = comparison.rows[i].spec.search;
-        if (!search.empty() && figure.lines[i].s.mean) runs[search].push_back(i);
+        if (!search.empty() && figure.lines[i].s.mean) searches[search].push_back(i);
     }
-    for (auto& [search, lines] : runs) {
-        if (lines.size() < 2) continue;
+    for (auto& [search, lines] : searches) {
+        std::vector<const ComparedRow*> rows;
+        for (const std::size_t i : lines) rows.push_back(&comparison.rows[i]);
+        if (lines.size() < 3 || lines.size() % 2 == 0 || !are_runs(rows, search)) continue;
         std::stable_sort(lines.begin(), lines.end(), [&](std::size_t x, std::size_t y) {
             return *figure.lines[x].s.mean < *figure.lines[y].s.mean;
         });
-        figure.lines[lines[(lines.size() - 1) / 2]].label += " (median run)";
+        figure.lines[lines[lines.size() / 2]].label += " (median run)";
     }
 }
 

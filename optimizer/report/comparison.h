@@ -30,7 +30,7 @@ struct ComparedRow {
 /// One row in one figure.
 struct ComparedLine {
     std::string key;
-    std::string label;     ///< at its end "(median run)" of several, or how much of it is played
+    std::string label;  ///< at its end "(median run)" of three or more, or how much of it is played
     Statistics s;
     std::optional<Paired> against;  ///< the reference row; none of that row itself
     double p_holm = 1.0;            ///< of the permutation test, over the lines of this figure

@@ -3,6 +3,7 @@
 // is marked.
 #include "optimizer/report/comparison.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include "common/episode/result.h"
@@ -72,8 +73,76 @@ TEST(Comparison, ByEpisodeAgainstTheReference) {
     EXPECT_DOUBLE_EQ(*attempts.lines[0].against->ratio, 2.0);
     EXPECT_FALSE(attempts.lines[1].against) << "one pair is left";
     EXPECT_FALSE(attempts.lines[2].against) << "the reference itself";
-    EXPECT_EQ(attempts.lines[0].label, "Row a-1 (median run)");
-    EXPECT_EQ(attempts.lines[1].label, "Row a-2");
+    EXPECT_EQ(attempts.lines[0].label, "Row a-1");
+    EXPECT_EQ(attempts.lines[1].label, "Row a-2") << "two runs have no median one";
+}
+
+/// Runs of search "a" that hold the ball for 10, 20, ... s, the first one longest, as they were
+/// played here.
+Given runs_of_a(int count) {
+    Given c;
+    for (int run = 1; run <= count; ++run) {
+        const double hold = 10.0 * (count + 1 - run);
+        c.rows.push_back({spec_of(fmt::format("a-{}", run), "a", run),
+                          "",
+                          {episode_row(0, hold, 1), episode_row(1, hold, 1)}});
+    }
+    return c;
+}
+
+/// The same as files, which say of themselves that `command` has found them as runs of `search`.
+Given files_of_a(int count, const std::string& search, const std::string& command) {
+    Given c = runs_of_a(count);
+    for (ComparedRow& row : c.rows) {
+        row.spec.network = row.spec.key + ".json";
+        row.origin = fmt::format(
+            "{}: candidate 7 of run {}-0d4971{}3, version 0.1.0+x; fitness 8 (se 1, n 60) on "
+            "validation seeds; found by '{}', seed {}, in 20 generations, 4720 "
+            "episodes, 66.3 simulated hours; tested by version 0.1.0+y",
+            row.spec.network, search, row.spec.run, command, row.spec.run);
+    }
+    return c;
+}
+
+/// Keys of the rows that are marked as median by hold time.
+std::vector<std::string> medians(const Given& given) {
+    const Comparison c = given.compared();
+    std::vector<std::string> keys;
+    for (const ComparedLine& line : c.figures.at(1).lines) {
+        if (line.label.ends_with(" (median run)")) keys.push_back(line.key);
+    }
+    return keys;
+}
+
+TEST(Comparison, OfThreeRunsTheMedianOneIsMarked) {
+    using testing::ElementsAre;
+    using testing::IsEmpty;
+    EXPECT_THAT(medians(runs_of_a(1)), IsEmpty());
+    EXPECT_THAT(medians(runs_of_a(2)), IsEmpty());
+    EXPECT_THAT(medians(runs_of_a(3)), ElementsAre("a-2"));
+    EXPECT_THAT(medians(runs_of_a(4)), IsEmpty());
+    EXPECT_THAT(medians(runs_of_a(5)), ElementsAre("a-3"));
+}
+
+TEST(Comparison, FilesHaveAMedianIfOneBudgetFoundThem) {
+    using testing::ElementsAre;
+    using testing::IsEmpty;
+    const std::string command = "k3d-optimizer reproduce table1 --budget paper";
+    const Given found = files_of_a(3, "a", command);
+    EXPECT_THAT(medians(found), ElementsAre("a-2"));
+    EXPECT_THAT(medians(files_of_a(3, "a_both", command)), IsEmpty()) << "runs of another search";
+    Given mixed = found;
+    mixed.rows[1].spec.network.clear();
+    EXPECT_THAT(medians(mixed), IsEmpty()) << "one was made here";
+    Given two_budgets = found;
+    two_budgets.rows[0].origin = files_of_a(1, "a", "k3d-optimizer run a.toml").rows[0].origin;
+    EXPECT_THAT(medians(two_budgets), IsEmpty());
+    Given by_hand = found;
+    for (ComparedRow& row : by_hand.rows)
+        row.origin = "start.toml: Approach and stance set by hand";
+    EXPECT_THAT(medians(by_hand), IsEmpty());
+    for (ComparedRow& row : by_hand.rows) std::swap(row.spec.network, row.spec.settings_file);
+    EXPECT_THAT(medians(by_hand), IsEmpty()) << "settings";
 }
 
 ledger::Row possession_row(int episode, double time_s) {
@@ -232,9 +301,9 @@ TEST(Comparison, ThePaperStandsBeside) {
     EXPECT_THAT(text, HasSubstr("31.764 (se 0.482, n 100)"));
     EXPECT_THAT(text, HasSubstr("takers m/s 0.60"));
     const std::string html = comparison_html(c);
-    EXPECT_THAT(html, HasSubstr("<td>Row a-1 (median run)</td><td>2</td><td>5.00</td>"));
+    EXPECT_THAT(html, HasSubstr("<td>Row a-1</td><td>2</td><td>5.00</td>"));
     const std::string csv = comparison_csv(c);
-    EXPECT_THAT(csv, HasSubstr("table1-greedy,a-1,\"Row a-1 (median run)\",attempts,2,5,"));
+    EXPECT_THAT(csv, HasSubstr("table1-greedy,a-1,\"Row a-1\",attempts,2,5,"));
     const auto columns = [](const std::string& line) {
         return std::count(line.begin(), line.end(), ',');
     };

@@ -202,13 +202,16 @@ report::Reproduction gather(const Work& work) {
     }
     for (const std::string& part : spec::kParts) {
         for (const spec::TableSpec& table : spec::tables_of(part, work.budget)) {
-            report::Comparison comparison{table, {}, {}};
-            if (part == "table1") comparison.paper = spec::paper_table1();
+            std::vector<report::ComparedRow> rows;
             for (const spec::RowSpec& row : table.rows) {
                 auto played = read_row(row, work.row_folder(table, row));
-                if (!played.rows.empty()) comparison.rows.push_back(std::move(played));
+                if (!played.rows.empty()) rows.push_back(std::move(played));
             }
-            if (!comparison.rows.empty()) out.tables.push_back(std::move(comparison));
+            if (rows.empty()) continue;
+            const bool printed = part == "table1";
+            out.tables.push_back(
+                report::compare(table, std::move(rows),
+                                printed ? spec::paper_table1() : std::vector<spec::PaperRow>()));
         }
     }
     return out;
@@ -314,7 +317,7 @@ spec::Budget budget_of(const Flags& flags) {
 int count_failed(const report::Reproduction& reproduction) {
     int failed = 0;
     for (const report::Comparison& table : reproduction.tables) {
-        for (const auto& row : table.rows) failed += report::circumstances(row).failed;
+        for (const report::Circumstances& row : table.circumstances) failed += row.failed;
     }
     return failed;
 }

@@ -14,8 +14,6 @@ namespace k3d::optimizer::drill {
 
 namespace {
 
-/// Rows of the tables that a drill may have, e.g. the twelve kicks of the paper's task.
-constexpr int kTableRows = 12;
 constexpr int kExitUsage = 2;
 
 std::string log_of(const std::string& folder) {
@@ -55,8 +53,9 @@ episode::Ending read(const episode::Job& job, const std::string& folder) {
 }  // namespace
 
 std::vector<std::string> drill_command(const episode::Job& job, const std::string& folder) {
-    // Run k of a drill has seed + k and row k of its table: of one run both are chosen here.
-    const int row = job.key.episode % kTableRows;
+    // Run k of a drill has seed + k and row k of its table, if it has one: of one run both are
+    // chosen here.
+    const int row = job.key.episode % spec::kKickScenarios;
     const std::string self = std::filesystem::read_symlink("/proc/self/exe").string();
     const std::string pool(episode::name_of(job.key.phase));
     std::vector<std::string> words{

@@ -7,10 +7,11 @@
 #include <string>
 
 #include "common/math/geometry.h"
+#include "optimizer/spec/task_spec.h"
 
 namespace k3d::optimizer::drill {
 
-inline constexpr int kScenarios = 12;
+inline constexpr int kScenarios = spec::kKickScenarios;
 
 struct Scenario {
     Pose2 robot;         ///< where it waits

@@ -11,6 +11,7 @@
 #include <set>
 
 #include "optimizer/fitness/fitness.h"
+#include "optimizer/report/run_report.h"
 #include "optimizer/report/run_text.h"
 
 namespace k3d::optimizer::report {
@@ -24,6 +25,7 @@ struct Figure {
     std::string name;
     std::string title;
     Value value;
+    bool is_signed = false;  ///< may be below 0: then a ratio says nothing
 };
 
 Figure plain(std::string name, std::string title) {
@@ -32,6 +34,12 @@ Figure plain(std::string name, std::string title) {
         return found ? std::optional(*found) : std::nullopt;
     };
     return {std::move(name), std::move(title), std::move(value)};
+}
+
+Figure signed_figure(std::string name, std::string title) {
+    Figure figure = plain(std::move(name), std::move(title));
+    figure.is_signed = true;
+    return figure;
 }
 
 std::vector<Figure> figures_of(const spec::TaskSpec& task) {
@@ -48,8 +56,8 @@ std::vector<Figure> figures_of(const spec::TaskSpec& task) {
                 plain("succeeded", "Share of good kicks"), plain("falls", "Falls")};
     }
     if (task.name == "kick") {
-        return {plain("fitness_capped", "Equation (1), distance at most 6 m"),
-                plain("fitness_literal", "Equation (1), distance at least 6 m, as printed"),
+        return {signed_figure("fitness_capped", "Equation (1), distance at most 6 m"),
+                signed_figure("fitness_literal", "Equation (1), distance at least 6 m, as printed"),
                 plain("time_to_kick_s", "Time to the kick, s"), plain("distance_m", "Distance, m"),
                 plain("direction_error_deg", "Direction error, degrees")};
     }
@@ -62,10 +70,10 @@ std::vector<Figure> figures_of(const spec::TaskSpec& task) {
 /// By episode, of those with a valid result that has this figure.
 std::map<int, double> values_of(const ComparedRow& row, const Figure& figure) {
     std::map<int, double> values;
-    for (const ledger::Row& r : row.rows) {
-        if (r.result.empty()) continue;
-        if (const auto value = figure.value(r, k3d::episode::from_line(r.result))) {
-            values[r.key.episode] = *value;
+    for (std::size_t i = 0; i < row.rows.size(); ++i) {
+        if (!row.results[i]) continue;
+        if (const auto value = figure.value(row.rows[i], *row.results[i])) {
+            values[row.rows[i].key.episode] = *value;
         }
     }
     return values;
@@ -74,11 +82,11 @@ std::map<int, double> values_of(const ComparedRow& row, const Figure& figure) {
 /// By episode, of those with a valid result.
 std::map<int, Lifetime> lifetimes_of(const ComparedRow& row) {
     std::map<int, Lifetime> lives;
-    for (const ledger::Row& r : row.rows) {
-        if (r.result.empty()) continue;
-        const Result result = k3d::episode::from_line(r.result);
-        lives[r.key.episode] = {result.hold_time_s,
-                                result.status != k3d::episode::Status::Truncated};
+    for (std::size_t i = 0; i < row.rows.size(); ++i) {
+        if (const auto& result = row.results[i]) {
+            lives[row.rows[i].key.episode] = {result->hold_time_s,
+                                              result->status != k3d::episode::Status::Truncated};
+        }
     }
     return lives;
 }
@@ -93,6 +101,30 @@ std::pair<std::vector<T>, std::vector<T>> pairs_of(const std::map<int, T>& a,
         if (other == b.end()) continue;
         out.first.push_back(value);
         out.second.push_back(other->second);
+    }
+    return out;
+}
+
+/// Means of both rows over the episodes of a scenario that both have, scenario by scenario.
+/// Episodes that repeat a scenario are no new trials of how players compare on others.
+std::pair<std::vector<double>, std::vector<double>> scenario_pairs_of(
+    const std::map<int, double>& a, const std::map<int, double>& b, int scenarios) {
+    struct Sums {
+        double a = 0.0, b = 0.0, n = 0.0;
+    };
+    std::map<int, Sums> by_scenario;
+    for (const auto& [episode, value] : a) {
+        const auto other = b.find(episode);
+        if (other == b.end()) continue;
+        Sums& sums = by_scenario[episode % scenarios];
+        sums.a += value;
+        sums.b += other->second;
+        sums.n += 1.0;
+    }
+    std::pair<std::vector<double>, std::vector<double>> out;
+    for (const auto& [scenario, sums] : by_scenario) {
+        out.first.push_back(sums.a / sums.n);
+        out.second.push_back(sums.b / sums.n);
     }
     return out;
 }
@@ -124,54 +156,58 @@ void add_holm(ComparedFigure& figure) {
     }
 }
 
-/// Of each search with several runs the median one by this figure, the lower one of two.
+/// Whether rows are runs of this search by one budget: made here, or files that one command has
+/// made.
+bool are_runs(const std::vector<const ComparedRow*>& rows, const std::string& search) {
+    std::set<std::optional<std::string>> makers;
+    std::size_t files = 0;
+    for (const ComparedRow* row : rows) {
+        if (row->spec.network.empty() && row->spec.settings_file.empty()) continue;
+        makers.insert(command_in(row->origin, search));
+        ++files;
+    }
+    if (files == 0) return true;
+    return files == rows.size() && makers.size() == 1 && makers.begin()->has_value();
+}
+
+/// Marks the median run of each search by this figure. An even number of runs has two in the
+/// middle, neither of which is it.
 void mark_medians(const Comparison& comparison, ComparedFigure& figure) {
-    std::map<std::string, std::vector<std::size_t>> runs;
+    std::map<std::string, std::vector<std::size_t>> searches;
     for (std::size_t i = 0; i < comparison.rows.size(); ++i) {
         const auto& search = comparison.rows[i].spec.search;
-        if (!search.empty() && figure.lines[i].s.mean) runs[search].push_back(i);
+        if (!search.empty() && figure.lines[i].s.mean) searches[search].push_back(i);
     }
-    for (auto& [search, lines] : runs) {
-        if (lines.size() < 2) continue;
+    for (auto& [search, lines] : searches) {
+        std::vector<const ComparedRow*> rows;
+        for (const std::size_t i : lines) rows.push_back(&comparison.rows[i]);
+        if (lines.size() < 3 || lines.size() % 2 == 0 || !are_runs(rows, search)) continue;
         std::stable_sort(lines.begin(), lines.end(), [&](std::size_t x, std::size_t y) {
             return *figure.lines[x].s.mean < *figure.lines[y].s.mean;
         });
-        figure.lines[lines[(lines.size() - 1) / 2]].label += " (median run)";
+        figure.lines[lines[lines.size() / 2]].label += " (median run)";
     }
 }
 
-}  // namespace
-
-std::string episodes_csv(const Comparison& comparison) {
-    const std::vector<Figure> figures = figures_of(comparison.table.task);
-    std::string text = "row,episode,seed,status,reason";
-    for (const Figure& figure : figures) text += "," + figure.name;
-    text += '\n';
-    for (const ComparedRow& row : comparison.rows) {
-        for (const ledger::Row& r : row.rows) {
-            text += fmt::format("{},{},{},{},{}", row.spec.key, r.key.episode, r.seed, r.status,
-                                csv_quoted(r.reason));
-            for (const Figure& figure : figures) {
-                const auto value = r.result.empty()
-                                       ? std::nullopt
-                                       : figure.value(r, k3d::episode::from_line(r.result));
-                text += value ? fmt::format(",{}", *value) : ",";
-            }
-            text += '\n';
-        }
+ComparedLine line_of(const Comparison& comparison, const ComparedRow& row,
+                     const ComparedRow* reference, const Figure& figure,
+                     const std::map<int, double>& base) {
+    const auto values = values_of(row, figure);
+    ComparedLine line{row.spec.key, row.spec.label, statistics(sample_of(values)), std::nullopt};
+    if (row.rows.size() < static_cast<std::size_t>(comparison.table.episodes)) {
+        line.label +=
+            fmt::format(" (unfinished: {} of {})", row.rows.size(), comparison.table.episodes);
     }
-    return text;
+    if (&row == reference) return line;
+    const int scenarios = spec::scenarios_of(comparison.table.task.name);
+    const auto [ours, theirs] =
+        scenarios > 0 ? scenario_pairs_of(values, base, scenarios) : pairs_of(values, base);
+    line.against = paired(ours, theirs);
+    if (line.against && figure.is_signed) line.against->ratio.reset();
+    return line;
 }
 
-std::string warning(const Comparison& comparison) {
-    std::set<std::string> versions;
-    for (const ComparedRow& row : comparison.rows) versions.insert(row.version);
-    if (versions.size() < 2) return "";
-    return fmt::format("Rows were played by different versions of the code: {}. Their episodes can be "
-                       "compared only where the versions play alike.", fmt::join(versions, ", "));
-}
-
-std::vector<ComparedFigure> compare(const Comparison& comparison) {
+std::vector<ComparedFigure> figures_in(const Comparison& comparison) {
     const ComparedRow* reference = reference_of(comparison);
     std::vector<ComparedFigure> out;
     for (const Figure& figure : figures_of(comparison.table.task)) {
@@ -179,18 +215,7 @@ std::vector<ComparedFigure> compare(const Comparison& comparison) {
         const auto base =
             reference == nullptr ? std::map<int, double>() : values_of(*reference, figure);
         for (const ComparedRow& row : comparison.rows) {
-            const auto values = values_of(row, figure);
-            ComparedLine line{row.spec.key, row.spec.label, statistics(sample_of(values)),
-                              std::nullopt};
-            if (row.rows.size() < static_cast<std::size_t>(comparison.table.episodes)) {
-                line.label += fmt::format(" (unfinished: {} of {})", row.rows.size(),
-                                          comparison.table.episodes);
-            }
-            if (&row != reference) {
-                const auto [ours, theirs] = pairs_of(values, base);
-                line.against = paired(ours, theirs);
-            }
-            compared.lines.push_back(std::move(line));
+            compared.lines.push_back(line_of(comparison, row, reference, figure, base));
         }
         add_holm(compared);
         mark_medians(comparison, compared);
@@ -199,7 +224,7 @@ std::vector<ComparedFigure> compare(const Comparison& comparison) {
     return out;
 }
 
-std::vector<SurvivalLine> compare_survival(const Comparison& comparison) {
+std::vector<SurvivalLine> survival_in(const Comparison& comparison) {
     if (comparison.table.task.name != "keepaway") return {};
     const ComparedRow* reference = reference_of(comparison);
     const auto base = reference == nullptr ? std::map<int, Lifetime>() : lifetimes_of(*reference);
@@ -216,24 +241,24 @@ std::vector<SurvivalLine> compare_survival(const Comparison& comparison) {
     return out;
 }
 
-Circumstances circumstances(const ComparedRow& row) {
+Circumstances circumstances_of(const ComparedRow& row) {
     Circumstances out;
     out.episodes = row.rows.size();
     std::vector<double> takers, keepers;
     std::map<std::string, int> endings;
     double falls = 0.0, minutes = 0.0;
-    for (const ledger::Row& r : row.rows) {
-        ++endings[r.reason];
-        if (r.result.empty()) {
+    for (std::size_t i = 0; i < row.rows.size(); ++i) {
+        ++endings[row.rows[i].reason];
+        const auto& result = row.results[i];
+        if (!result) {
             ++out.failed;
             continue;
         }
-        const Result result = k3d::episode::from_line(r.result);
-        out.truncated += result.status == k3d::episode::Status::Truncated;
-        for (const auto& player : result.players) {
+        out.truncated += result->status == k3d::episode::Status::Truncated;
+        for (const auto& player : result->players) {
             (player.team == "right" ? takers : keepers).push_back(player.mean_speed);
             falls += player.falls;
-            minutes += result.hold_time_s / 60.0;
+            minutes += result->hold_time_s / 60.0;
         }
     }
     out.taker_speed = statistics(takers).mean;
@@ -243,6 +268,56 @@ Circumstances circumstances(const ComparedRow& row) {
         out.endings += fmt::format("{}{} {}", out.endings.empty() ? "" : ", ", reason, count);
     }
     return out;
+}
+
+void read_results(ComparedRow& row) {
+    row.results.clear();
+    for (const ledger::Row& r : row.rows) {
+        row.results.push_back(r.result.empty() ? std::nullopt
+                                               : std::optional(k3d::episode::from_line(r.result)));
+    }
+}
+
+}  // namespace
+
+Comparison compare(spec::TableSpec table, std::vector<ComparedRow> rows,
+                   std::vector<spec::PaperRow> paper) {
+    Comparison out{std::move(table), std::move(rows), std::move(paper), {}, {}, {}};
+    for (ComparedRow& row : out.rows) read_results(row);
+    out.figures = figures_in(out);
+    out.survival = survival_in(out);
+    for (const ComparedRow& row : out.rows) out.circumstances.push_back(circumstances_of(row));
+    return out;
+}
+
+std::string episodes_csv(const Comparison& comparison) {
+    const std::vector<Figure> figures = figures_of(comparison.table.task);
+    std::string text = "row,episode,seed,status,reason";
+    for (const Figure& figure : figures) text += "," + figure.name;
+    text += '\n';
+    for (const ComparedRow& row : comparison.rows) {
+        for (std::size_t i = 0; i < row.rows.size(); ++i) {
+            const ledger::Row& r = row.rows[i];
+            text += fmt::format("{},{},{},{},{}", row.spec.key, r.key.episode, r.seed, r.status,
+                                csv_quoted(r.reason));
+            for (const Figure& figure : figures) {
+                const auto value = row.results[i] ? figure.value(r, *row.results[i]) : std::nullopt;
+                text += value ? fmt::format(",{}", *value) : ",";
+            }
+            text += '\n';
+        }
+    }
+    return text;
+}
+
+std::string warning(const Comparison& comparison) {
+    std::set<std::string> versions;
+    for (const ComparedRow& row : comparison.rows) versions.insert(row.version);
+    if (versions.size() < 2) return "";
+    return fmt::format(
+        "Rows were played by different versions of the code: {}. Their episodes can be "
+        "compared only where the versions play alike.",
+        fmt::join(versions, ", "));
 }
 
 }  // namespace k3d::optimizer::report

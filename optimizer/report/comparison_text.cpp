@@ -2,6 +2,8 @@
 // A comparison as text, CSV and HTML.
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "optimizer/report/comparison.h"
 #include "optimizer/report/run_text.h"
 #include "optimizer/report/svg_plot.h"
@@ -70,6 +72,16 @@ std::string reference_label(const Comparison& c) {
     return "-";
 }
 
+/// What pairs are, and that spread is not over them where they are means.
+std::string pairs_said(const Comparison& c) {
+    const int scenarios = std::min(spec::scenarios_of(c.table.task.name), c.table.episodes);
+    if (scenarios == 0) return ", by seed";
+    return fmt::format(
+        "; pairs are the {} scenarios, each the mean of its episodes; n, mean, sd, se "
+        "and the mean's 95 % are over single episodes",
+        scenarios);
+}
+
 std::string text_head(const std::string& title, const Heads& heads) {
     std::string text = fmt::format("\n{}\n{:<52}", title, "");
     for (const auto& [head, width] : heads) text += fmt::format(" {:>{}}", head, width);
@@ -134,24 +146,23 @@ std::vector<std::string> cells(const SurvivalLine& line) {
 }
 
 std::string survival_text(const Comparison& c) {
-    const auto lines = compare_survival(c);
-    if (lines.empty()) return "";
+    if (c.survival.empty()) return "";
     std::string text = text_head(kSurvivalTitle, kSurvivalHeads);
-    for (const SurvivalLine& line : lines)
+    for (const SurvivalLine& line : c.survival)
         text += text_row(line.label, cells(line), kSurvivalHeads);
     return text;
 }
 
 std::string survival_html(const Comparison& c) {
-    const auto lines = compare_survival(c);
-    if (lines.empty()) return "";
+    if (c.survival.empty()) return "";
     std::string out = html_head(kSurvivalTitle, kSurvivalHeads);
-    for (const SurvivalLine& line : lines) out += html_row(line.label, cells(line));
+    for (const SurvivalLine& line : c.survival) out += html_row(line.label, cells(line));
     return out + "</table></div>\n";
 }
 
-std::vector<std::pair<std::string, std::string>> said_of(const ComparedRow& row) {
-    const Circumstances s = circumstances(row);
+/// What is said of row `i`, each with its name.
+std::vector<std::pair<std::string, std::string>> said_of(const Comparison& c, std::size_t i) {
+    const Circumstances& s = c.circumstances[i];
     return {{"episodes", std::to_string(s.episodes)},
             {"failed", std::to_string(s.failed)},
             {"at the limit", std::to_string(s.truncated)},
@@ -159,7 +170,7 @@ std::vector<std::pair<std::string, std::string>> said_of(const ComparedRow& row)
             {"keepers m/s", number(s.keeper_speed)},
             {"falls per player and minute", number(s.falls_per_minute)},
             {"ended by", s.endings},
-            {"who", row.origin}};
+            {"who", c.rows[i].origin}};
 }
 
 std::string csv_cell(const std::optional<double>& value) {
@@ -214,14 +225,15 @@ std::string csv_line(const spec::TableSpec& table, const SurvivalLine& line,
 
 std::string comparison_text(const Comparison& c) {
     std::string text = fmt::format("{}\n{}\n", c.table.title, std::string(c.table.title.size(), '='));
-    text += fmt::format("differences, ratios and p against: {}, by seed\n", reference_label(c));
+    text +=
+        fmt::format("differences, ratios and p against: {}{}\n", reference_label(c), pairs_said(c));
     if (const std::string said = warning(c); !said.empty()) text += said + "\n";
-    for (const ComparedFigure& figure : compare(c)) text += figure_text(c, figure);
+    for (const ComparedFigure& figure : c.figures) text += figure_text(c, figure);
     text += survival_text(c);
     text += '\n';
-    for (const ComparedRow& row : c.rows) {
-        text += row.spec.label + ":";
-        for (const auto& [name, value] : said_of(row)) {
+    for (std::size_t i = 0; i < c.rows.size(); ++i) {
+        text += c.rows[i].spec.label + ":";
+        for (const auto& [name, value] : said_of(c, i)) {
             if (value != "-") text += fmt::format(" {} {};", name, value);
         }
         text.back() = '\n';
@@ -231,20 +243,20 @@ std::string comparison_text(const Comparison& c) {
 
 std::string comparison_html(const Comparison& c) {
     std::string out = fmt::format(
-        "<h2>{}</h2>\n<p class=\"dim\">Differences, ratios and p against: {}, by seed. p: signs of the "
-        "differences flipped at random, two-sided; Holm: over the rows of the figure.</p>\n",
-        escape(c.table.title), escape(reference_label(c)));
+        "<h2>{}</h2>\n<p class=\"dim\">Differences, ratios and p against: {}{}. p: signs of the "
+        "differences flipped, two-sided; Holm: over the rows of the figure.</p>\n",
+        escape(c.table.title), escape(reference_label(c)), pairs_said(c));
     if (const std::string said = warning(c); !said.empty()) out += "<p>" + escape(said) + "</p>\n";
-    for (const ComparedFigure& figure : compare(c)) out += figure_html(c, figure);
+    for (const ComparedFigure& figure : c.figures) out += figure_html(c, figure);
     out += survival_html(c);
     out += "<div class=\"wide\"><table><tr><th></th>";
-    for (const ComparedRow& row : c.rows) {
-        if (&row == &c.rows.front()) {
-            for (const auto& [name, value] : said_of(row)) out += "<th>" + name + "</th>";
+    for (std::size_t i = 0; i < c.rows.size(); ++i) {
+        if (i == 0) {
+            for (const auto& [name, value] : said_of(c, i)) out += "<th>" + name + "</th>";
             out += "</tr>\n";
         }
-        out += fmt::format("<tr><td>{}</td>", escape(row.spec.label));
-        for (const auto& [name, value] : said_of(row)) out += "<td>" + escape(value) + "</td>";
+        out += fmt::format("<tr><td>{}</td>", escape(c.rows[i].spec.label));
+        for (const auto& [name, value] : said_of(c, i)) out += "<td>" + escape(value) + "</td>";
         out += "</tr>\n";
     }
     return out + "</table></div>\n";
@@ -258,16 +270,15 @@ std::string comparison_csv_head() {
 }
 
 std::string comparison_csv(const Comparison& c) {
-    std::vector<Circumstances> said;
-    for (const ComparedRow& row : c.rows) said.push_back(circumstances(row));
     std::string text;
-    for (const ComparedFigure& figure : compare(c)) {
+    for (const ComparedFigure& figure : c.figures) {
         for (std::size_t i = 0; i < figure.lines.size(); ++i) {
-            text += csv_line(c.table, figure.name, figure.lines[i], said[i]);
+            text += csv_line(c.table, figure.name, figure.lines[i], c.circumstances[i]);
         }
     }
-    const auto lines = compare_survival(c);
-    for (std::size_t i = 0; i < lines.size(); ++i) text += csv_line(c.table, lines[i], said[i]);
+    for (std::size_t i = 0; i < c.survival.size(); ++i) {
+        text += csv_line(c.table, c.survival[i], c.circumstances[i]);
+    }
     return text;
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <span>
 
 #include "common/log/log.h"
 #include "common/random/stream.h"
@@ -16,27 +17,51 @@ namespace k3d::optimizer::report {
 namespace {
 
 constexpr int kFlips = 20000;  // the smallest p that can be told is 1 / 20001
+constexpr std::size_t kCountedPairs = 14;  // up to here all signs are fewer than kFlips
 
 double sum(const std::vector<double>& values) {
     return std::accumulate(values.begin(), values.end(), 0.0);
 }
 
-double permutation(const std::vector<double>& differences) {
+/// `sum` and the values, each with the sign that its bit says.
+double add_signed(double sum, std::span<const double> values, std::uint64_t signs) {
+    for (const double value : values) {
+        sum += (signs & 1) != 0 ? value : -value;
+        signs >>= 1;
+    }
+    return sum;
+}
+
+double drawn_signs(std::span<const double> differences, double as_far_as) {
     RandomStream stream(1, "paired", "permutation");
-    const double seen = std::abs(sum(differences));
     int as_far = 1;  // the sample itself is one of the permutations
     for (int i = 0; i < kFlips; ++i) {
         double flipped = 0.0;
         for (std::size_t at = 0; at < differences.size(); at += 64) {
-            std::uint64_t signs = stream.next();
-            for (std::size_t k = at; k < std::min(at + 64, differences.size()); ++k, signs >>= 1) {
-                flipped += (signs & 1) != 0 ? differences[k] : -differences[k];
-            }
+            const std::size_t count = std::min<std::size_t>(64, differences.size() - at);
+            flipped = add_signed(flipped, differences.subspan(at, count), stream.next());
         }
-        // Rounding must not make a permutation of equal worth count as less.
-        as_far += std::abs(flipped) >= seen * (1.0 - 1e-12);
+        as_far += std::abs(flipped) >= as_far_as;
     }
     return static_cast<double>(as_far) / (kFlips + 1.0);
+}
+
+double all_signs(std::span<const double> differences, double as_far_as) {
+    const std::uint64_t patterns = std::uint64_t{1} << differences.size();
+    int as_far = 0;
+    for (std::uint64_t signs = 0; signs < patterns; ++signs) {
+        as_far += std::abs(add_signed(0.0, differences, signs)) >= as_far_as;
+    }
+    return static_cast<double>(as_far) / static_cast<double>(patterns);
+}
+
+double permutation(const std::vector<double>& differences) {
+    double size = 0.0;
+    for (const double difference : differences) size += std::abs(difference);
+    // Rounding must not make a permutation of equal worth count as less.
+    const double as_far_as = std::abs(sum(differences)) - 1e-12 * size;
+    return differences.size() <= kCountedPairs ? all_signs(differences, as_far_as)
+                                               : drawn_signs(differences, as_far_as);
 }
 
 /// Zeros are left out, ties share their ranks and lessen the variance.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Tests of one row of episodes against another that met the same seeds. All that is random here is
-// drawn from fixed streams: the same samples give the same figures.
+// Tests of one row of episodes against another that met the same seeds or scenarios. All that is
+// random here is drawn from fixed streams: the same samples give the same figures.
 #pragma once
 
 #include <cstddef>
@@ -9,14 +9,15 @@
 
 namespace k3d::optimizer::report {
 
-/// `a` less `b`, seed by seed.
+/// `a` less `b`, pair by pair.
 struct Paired {
     std::size_t n = 0;           ///< pairs
     double difference = 0.0;     ///< mean of the differences
     double low = 0.0, high = 0.0;  ///< its 95 % interval, Student's t
-    double p_permutation = 1.0;  ///< two-sided, signs of the differences flipped at random
+    /// Two-sided, signs of the differences flipped: in all ways of few pairs, else at random.
+    double p_permutation = 1.0;
     double p_wilcoxon = 1.0;     ///< two-sided signed-rank test, normal approximation with ties
-    double correlation = 0.0;    ///< of a and b: what common seeds have brought
+    double correlation = 0.0;    ///< of a and b: what pairing has brought
     std::optional<double> ratio;  ///< of the means; none if that of b is not positive
     double ratio_low = 0.0, ratio_high = 0.0;  ///< its 95 % interval, bootstrap over the pairs
 };

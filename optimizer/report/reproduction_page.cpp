@@ -7,7 +7,6 @@
 #include <fstream>
 #include <map>
 
-#include "common/episode/result.h"
 #include "optimizer/report/run_report.h"
 #include "optimizer/report/run_text.h"
 #include "optimizer/report/svg_plot.h"
@@ -92,9 +91,9 @@ std::string error_plot(const Comparison& table) {
     std::vector<Series> series;
     for (const ComparedRow& row : table.rows) {
         std::map<double, std::vector<double>> errors;
-        for (const ledger::Row& r : row.rows) {
-            if (r.result.empty()) continue;
-            for (const auto& [name, value] : k3d::episode::from_line(r.result).metrics) {
+        for (const auto& result : row.results) {
+            if (!result) continue;
+            for (const auto& [name, value] : result->metrics) {
                 double after = 0.0;
                 if (std::sscanf(name.c_str(), "finish_error_%lfs_m", &after) == 1) {
                     errors[after].push_back(value);

@@ -205,6 +205,15 @@ std::string provenance_of(const algorithm::Champion& champion, const spec::Exper
         totals.episodes, totals.simulated_s / 3600.0);
 }
 
+std::optional<std::string> command_in(const std::string& provenance, const std::string& search) {
+    constexpr std::string_view kBegin = "; found by '", kEnd = "', seed ";
+    const auto begin = provenance.find(kBegin);
+    const auto end = provenance.find(kEnd, begin);
+    const auto run = provenance.find(fmt::format(" of run {}-", search));
+    if (run > begin || end == std::string::npos) return std::nullopt;
+    return provenance.substr(begin + kBegin.size(), end - begin - kBegin.size());
+}
+
 std::string report_html(const RunFacts& run) {
     const ledger::Facts facts = run.ledger.facts();
     const auto rows = run.ledger.rows();

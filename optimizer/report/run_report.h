@@ -36,6 +36,9 @@ std::string origin_of(const algorithm::Champion& champion, const ledger::Facts& 
 std::string provenance_of(const algorithm::Champion& champion, const spec::Experiment& experiment,
                           const ledger::Ledger& ledger);
 
+/// From such a head: the command that made it; none if it is of no run of this search.
+std::optional<std::string> command_in(const std::string& provenance, const std::string& search);
+
 /// Names of the values of a candidate; empty if candidates are networks that differ in shape.
 std::vector<std::string> value_names(const spec::Experiment& experiment);
 

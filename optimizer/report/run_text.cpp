@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
+#include <boost/math/distributions/students_t.hpp>
 #include <map>
 
 #include "common/config/config.h"
@@ -37,18 +37,10 @@ std::string result_cells(const std::string& line) {
                        falls, cell(metrics), r.state_hash);
 }
 
-/// Two-sided 95 % points of Student's t by degrees of freedom; those between are on the safe side.
+/// Two-sided 95 % point of Student's t with so many degrees of freedom, at least 1.
 double t_95(std::size_t freedom) {
-    static constexpr std::array<std::pair<std::size_t, double>, 21> kTable{
-        {{1, 12.706}, {2, 4.303},  {3, 3.182},  {4, 2.776},  {5, 2.571},  {6, 2.447},  {7, 2.365},
-         {8, 2.306},  {9, 2.262},  {10, 2.228}, {12, 2.179}, {14, 2.145}, {16, 2.120}, {18, 2.101},
-         {20, 2.086}, {25, 2.060}, {30, 2.042}, {40, 2.021}, {60, 2.000}, {120, 1.980},
-         {1000, 1.962}}};
-    double t = kTable[0].second;
-    for (const auto& [n, value] : kTable) {
-        if (n <= freedom) t = value;
-    }
-    return t;
+    const boost::math::students_t t(static_cast<double>(freedom));
+    return boost::math::quantile(boost::math::complement(t, 0.025));
 }
 
 std::string number(const nlohmann::json& value) {

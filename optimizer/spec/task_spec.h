@@ -23,6 +23,15 @@ constexpr std::string_view drill_of(std::string_view task) {
     return "";
 }
 
+/// Rows of each table of the drill kick_task: fixed ways in which the ball comes.
+inline constexpr int kKickScenarios = 12;
+
+/// How many fixed scenarios the episodes of a task play in turn, episode k the (k mod so many)th;
+/// 0: each episode is drawn anew, from its seed.
+constexpr int scenarios_of(std::string_view task) {
+    return drill_of(task) == "kick_task" ? kKickScenarios : 0;
+}
+
 struct TaskSpec {
     std::string name = "keepaway";
     std::string fitness;

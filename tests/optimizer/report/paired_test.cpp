@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace k3d::optimizer::report {
@@ -13,8 +14,8 @@ TEST(Paired, DifferenceRatioAndInterval) {
     const auto p = paired({2.0, 4.0, 6.0, 8.0}, {1.0, 2.0, 5.0, 4.0});
     ASSERT_TRUE(p);
     EXPECT_EQ(p->n, 4u);
-    EXPECT_DOUBLE_EQ(p->difference, 2.0);  // 1, 2, 1, 4; sd sqrt(2), t(3) 3.182
-    EXPECT_NEAR(p->high - p->difference, 3.182 * std::sqrt(2.0) / 2.0, 1e-9);
+    EXPECT_DOUBLE_EQ(p->difference, 2.0);  // 1, 2, 1, 4; sd sqrt(2), t(3) 3.18244630528
+    EXPECT_NEAR(p->high - p->difference, 3.18244630528 * std::sqrt(2.0) / 2.0, 1e-9);
     EXPECT_NEAR(p->difference - p->low, p->high - p->difference, 1e-12);
     EXPECT_DOUBLE_EQ(*p->ratio, 20.0 / 12.0);
     EXPECT_LT(p->ratio_low, *p->ratio);
@@ -26,10 +27,28 @@ TEST(Paired, DifferenceRatioAndInterval) {
 TEST(Paired, PermutationIsExactWhereAllSignsCanBeCounted) {
     // Of the 16 sign patterns of 1, 2, 1, 4 only the two with equal signs reach |sum| 8: 2 / 16.
     const auto p = paired({2.0, 4.0, 6.0, 8.0}, {1.0, 2.0, 5.0, 4.0});
-    EXPECT_NEAR(p->p_permutation, 0.125, 0.01);
+    EXPECT_DOUBLE_EQ(p->p_permutation, 0.125);
     // Ten differences of one sign: 2 / 1024.
     const std::vector<double> a{1.1, 2.3, 3.2, 4.4, 5.6, 6.5, 7.9, 8.7, 9.1, 10.8};
-    EXPECT_NEAR(paired(a, std::vector<double>(10, 0.0))->p_permutation, 2.0 / 1024.0, 0.001);
+    EXPECT_DOUBLE_EQ(paired(a, std::vector<double>(10, 0.0))->p_permutation, 2.0 / 1024.0);
+}
+
+TEST(Paired, PermutationsAreDrawnWhereTheyAreTooMany) {
+    // Fifteen ones and nine minus ones: a fair coin's chance to fall at most 9 or at least 15 times
+    // of 24.
+    std::vector<double> a(24, 1.0);
+    std::fill_n(a.begin(), 9, -1.0);
+    EXPECT_NEAR(paired(a, std::vector<double>(24, 0.0))->p_permutation, 0.30746, 0.01);
+    EXPECT_DOUBLE_EQ(
+        paired(std::vector<double>(24, 1.0), std::vector<double>(24, 0.0))->p_permutation,
+        1.0 / 20001.0);
+}
+
+TEST(Paired, RoundingMakesNoPermutationCountAsLess) {
+    // 0.1 + 0.2 - 0.3 is 0 but for rounding, and so is every pattern as far from 0.
+    const auto p = paired({0.1, 0.2, -0.3}, {0.0, 0.0, 0.0});
+    EXPECT_NE(0.1 + 0.2 - 0.3, 0.0);
+    EXPECT_DOUBLE_EQ(p->p_permutation, 1.0);
 }
 
 TEST(Paired, EqualSamplesDifferByNothing) {

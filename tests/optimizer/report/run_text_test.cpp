@@ -55,11 +55,26 @@ TEST(RunCsv, GenerationsHaveTheColumnsOfAllLines) {
 
 TEST(Interval, IsStudents) {
     const Statistics s = statistics({1.0, 2.0, 3.0, 4.0});
-    EXPECT_NEAR(*half_width_95(s), 3.182 * *s.se, 1e-12);
+    EXPECT_NEAR(*half_width_95(s), 3.18244630528 * *s.se, 1e-9);
     EXPECT_FALSE(half_width_95(statistics({1.0})));
     const Statistics many = statistics(std::vector<double>(101, 1.0));
     EXPECT_EQ(*half_width_95(many), 0.0);
     EXPECT_EQ(describe(statistics({})), "none");
+}
+
+TEST(Interval, IsStudentsWhateverTheNumberOfEpisodes) {
+    // With n - 1 degrees of freedom the distribution reaches 0.975 there.
+    for (const auto& [n, t] : {std::pair{2u, 12.7062047362},
+                               {12u, 2.2009851601},
+                               {60u, 2.0009953781},
+                               {120u, 1.9801},
+                               {300u, 1.96793},
+                               {5000u, 1.9604386}}) {
+        std::vector<double> sample(n, 1.0);
+        sample[0] = 2.0;
+        const Statistics s = statistics(sample);
+        EXPECT_NEAR(*half_width_95(s) / *s.se, t, 1e-5) << n;
+    }
 }
 
 TEST(Champion, IsWrittenAsTheAgentReadsIt) {

@@ -96,6 +96,14 @@ void Simulation::remove_player(session::AgentSession& agent) {
     agent.player.reset();
 }
 
+/// A keepaway episode that goes on short of a player would count as one of its own kind.
+void Simulation::kill(session::AgentSession& agent) {
+    if (auto* keepaway = std::get_if<game::Keepaway>(&game_)) {
+        keepaway->abort(episode::Status::AgentLost, agent.name() + ": killed by a trainer");
+    }
+    remove_player(agent);
+}
+
 void Simulation::load_robot(session::AgentSession& agent) {
     const wire::SceneCommand& scene = *agent.commands.scene;
     const auto type = session::robot_type(scene);
@@ -224,7 +232,7 @@ void Simulation::obey_trainers() {
         end_ = end_ || effect.end_simulation;
         if (!effect.killed) continue;
         for (const auto& agent : agents_) {
-            if (agent->player == effect.killed) remove_player(*agent);
+            if (agent->player == effect.killed) kill(*agent);
         }
     }
 }

@@ -104,6 +104,7 @@ class Simulation {
     void say(session::AgentSession& agent, const std::string& text);
     void judge_self_collisions();
     void remove_player(session::AgentSession& agent);
+    void kill(session::AgentSession& agent);
 
     // Keepaway's way from lobby to result (episode.cpp).
     bool in_lobby() const { return lobby_; }
@@ -113,6 +114,7 @@ class Simulation {
     void begin_episode();
     void begin_percepts(session::AgentSession& agent);
     void finish_episode();
+    bool all_are_still_there();
     void tell(const episode::Result& result) const;
     void check_lobby_deadline();
 

@@ -250,14 +250,23 @@ void Simulation::finish_episode() {
     result.state_hash = fmt::format("{:016x}", hash_);
     result.code_version = code_version();
     tell(result);
-    const bool lost = result.status == episode::Status::AgentLost;
-    if (lost) outcome_ = Outcome::AgentLost;
-    if (!lost && episode_ < config_.episodes && has_lobby(config_)) {
+    if (result.status == episode::Status::AgentLost) outcome_ = Outcome::AgentLost;
+    const bool more = episode_ < config_.episodes && has_lobby(config_);
+    if (more && outcome_ != Outcome::AgentLost && all_are_still_there()) {
         ++episode_;
         begin_episode();
-        return;
+    } else {
+        end_ = true;
     }
-    end_ = true;
+}
+
+/// Who leaves after the whistle spoils no result, but the next episode would be short of a player.
+bool Simulation::all_are_still_there() {
+    if (teams_.full()) return true;
+    spdlog::error("{} {} of {} cannot begin: missing {}", config_.game, episode_ + 1,
+                  config_.episodes, teams_.missing());
+    outcome_ = Outcome::AgentLost;
+    return false;
 }
 
 void Simulation::tell(const episode::Result& result) const {

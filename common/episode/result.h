@@ -17,7 +17,8 @@ namespace k3d::episode {
 inline constexpr int kSchemaVersion = 1;
 
 /// finished: by a rule of the game; truncated: by the time limit; diverged: the physics broke;
-/// agent_lost: a player died or hung. Only the first two may become a fitness.
+/// agent_lost: a player died or hung, or a trainer killed it. Only the first two may become a
+/// fitness.
 enum class Status { Finished, Truncated, Diverged, AgentLost };
 
 struct PlayerResult {

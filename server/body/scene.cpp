@@ -33,13 +33,13 @@ void Scene::remove_player(int id) {
     std::erase_if(players, [id](const auto& player) { return player->id == id; });
 }
 
-Player* Scene::find(int id) {
+Player* Scene::find(int id) const {
     const auto found = std::find_if(players.begin(), players.end(),
                                     [id](const auto& player) { return player->id == id; });
     return found == players.end() ? nullptr : found->get();
 }
 
-Player* Scene::find(wire::Side team, int unum) {
+Player* Scene::find(wire::Side team, int unum) const {
     const auto found =
         std::find_if(players.begin(), players.end(), [team, unum](const auto& player) {
             return player->team == team && player->unum == unum;

@@ -38,8 +38,8 @@ struct Scene {
 
     Player& add_player(int type, const Vec3& torso);
     void remove_player(int id);
-    Player* find(int id);
-    Player* find(wire::Side team, int unum);
+    Player* find(int id) const;  ///< null if there is none, or no longer
+    Player* find(wire::Side team, int unum) const;
 
   private:
     int next_id_ = 0;

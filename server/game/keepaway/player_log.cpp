@@ -26,10 +26,10 @@ PlayerLog::PlayerLog(const body::Scene& scene) {
 
 void PlayerLog::update(const body::Scene& scene) {
     const bool sample = ++cycles_ % kPathSampleCycles == 0;
-    for (std::size_t i = 0; i < entries_.size(); ++i) {
-        Entry& entry = entries_[i];
-        const body::Player& player = *scene.players[i];
-        const double up = uprightness(player);
+    for (Entry& entry : entries_) {
+        const body::Player* player = scene.find(entry.id);
+        if (player == nullptr) continue;  // taken off the field: its figures stay as they are
+        const double up = uprightness(*player);
         if (!entry.down && up < kDownTilt) {
             entry.down = true;
             ++entry.result.falls;
@@ -37,7 +37,7 @@ void PlayerLog::update(const body::Scene& scene) {
             entry.down = false;
         }
         if (!sample) continue;
-        const Vec2 now = on_ground(player);
+        const Vec2 now = on_ground(*player);
         entry.result.distance_m += (now - entry.sampled).norm();
         entry.sampled = now;
     }

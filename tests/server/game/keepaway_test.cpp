@@ -140,6 +140,18 @@ TEST_F(Match, FallIsCountedOnce) {
     EXPECT_EQ(game->result().players[1].falls, 0);
 }
 
+TEST_F(Match, WhoIsTakenOffTheFieldLeavesTheOthersFiguresAlone) {
+    until_play_on();
+    scene.remove_player(scene.find(wire::Side::Left, 1)->id);
+    for (int i = 0; i < 60; ++i) step();
+    const auto players = game->result().players;
+    ASSERT_EQ(players.size(), 5U);
+    for (const auto& player : players) {
+        EXPECT_LT(player.distance_m, 0.1)
+            << player.team << " " << player.unum << " only stood there";
+    }
+}
+
 TEST(TimeLimit, Truncates) {
     KeepawayConfig config;
     config.limit = 1.0;

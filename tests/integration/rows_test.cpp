@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What must not become a keepaway row like any other: an episode short of a player.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "integration/puppets.h"
+
+namespace k3d::testing {
+namespace {
+
+using ::testing::HasSubstr;
+
+constexpr const char* kBallOutside = "(ball (pos 8 0 0.042))";
+
+TEST(Rows, AnEpisodeWhosePlayerATrainerKillsIsLostAndSaysWhose) {
+    for (const bool keeper : {true, false}) {
+        for (const int turns : {1, 10}) {  // before kick-off and in play
+            PuppetGame game("kill", {"--episodes", "2"});
+            game.turns(turns);
+            game.turn(keeper ? "(kill (unum 1)(team Left))" : "(kill (unum 1)(team Right))");
+            EXPECT_EQ(game.play_to_the_end(), 3) << game.server().log();
+            const auto rows = game.results();
+            ASSERT_EQ(rows.size(), 1U);
+            EXPECT_EQ(rows[0].status, episode::Status::AgentLost);
+            EXPECT_EQ(rows[0].reason,
+                      keeper ? "left.1: killed by a trainer" : "right.1: killed by a trainer");
+            EXPECT_EQ(rows[0].players.size(), 2U);
+        }
+    }
+}
+
+TEST(Rows, WhoIsKilledAfterTheWhistlePlaysTheNextEpisode) {
+    PuppetGame game("late-kill", {"--episodes", "2"});
+    game.turns(10);
+    game.turn(kBallOutside);
+    game.turn("(kill (unum 1)(team Right))");
+    game.turns(15);
+    game.turn(kBallOutside);
+    EXPECT_EQ(game.play_to_the_end(), 0) << game.server().log();
+    const auto rows = game.results();
+    ASSERT_EQ(rows.size(), 2U);
+    for (const episode::Result& row : rows) {
+        EXPECT_EQ(row.reason, "ball_out");
+        EXPECT_EQ(row.players.size(), 2U);
+        EXPECT_GT(row.hold_time_s, 0.1);
+    }
+}
+
+TEST(Rows, NoFurtherEpisodeBeginsWithoutWhoLeftAfterTheWhistle) {
+    PuppetGame game("leaver", {"--episodes", "3"}, until_the_whistle);
+    game.turns(10);
+    game.turn(kBallOutside);
+    EXPECT_EQ(game.play_to_the_end(), 3);
+    const auto rows = game.results();
+    ASSERT_EQ(rows.size(), 1U) << game.server().log();
+    EXPECT_EQ(rows[0].reason, "ball_out") << "what was over is valid";
+    EXPECT_THAT(game.server().log(), HasSubstr("keepaway 2 of 3 cannot begin: missing right 1"));
+}
+
+}  // namespace
+}  // namespace k3d::testing

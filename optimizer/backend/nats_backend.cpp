@@ -37,7 +37,7 @@ NatsBackend::~NatsBackend() {
     // Else workers go on, and the daemon that resumes the run finds what they did; what is not
     // confirmed may be in no ledger, and comes again.
     const bool settled = outstanding_.empty() && unconfirmed_.empty();
-    if (settled && link_.connected()) link_.forget(run_);
+    if (settled && link_.ready()) link_.forget(run_);
 }
 
 void NatsBackend::submit(const episode::Job& job) {
@@ -58,22 +58,20 @@ void NatsBackend::publish() {
         if (found != outstanding_.end()) {
             const episode::Job& job = found->second;
             if (!link_.publish(NatsLink::job_subject(run_), id_of(job), episode::to_json(job))) {
-                if (!told_away_) spdlog::warn("nats-server is away; waiting for it");
-                told_away_ = true;
                 next_publish_ = episode::Clock::now() + kPublishAgain;
                 return;
             }
         }
         unpublished_.pop_front();
     }
-    if (told_away_) spdlog::info("nats-server is back");
-    told_away_ = false;
 }
 
 std::vector<episode::Outcome> NatsBackend::poll() {
-    if (link_.reconnections() != reconnections_) {
-        // A server that was killed may have lost what it had not written yet.
-        reconnections_ = link_.reconnections();
+    ready_ = link_.ready();
+    if (!ready_) return {};
+    if (link_.losses() != losses_) {
+        // A server that was killed may have lost what it had not written yet, or all.
+        losses_ = link_.losses();
         publish_all_again();
     }
     if (!outstanding_.empty() && episode::Clock::now() > heard_ + patience_) publish_all_again();
@@ -102,18 +100,18 @@ void NatsBackend::forget(const episode::Outcome& outcome) {
 void NatsBackend::confirm() {
     // What is not confirmed, since the server is away, comes again and is known then.
     for (NatsMessage& message : unconfirmed_) {
-        if (!link_.connected() || !message.done()) break;
+        if (!message.done()) break;
     }
     unconfirmed_.clear();
 }
 
 episode::Clock::time_point NatsBackend::next_look() const {
     // poll() itself waits for what may come, if there is anybody it may come from.
-    return episode::Clock::now() + (link_.connected() ? kPull * 0 : kPublishAgain);
+    return episode::Clock::now() + (ready_ ? kPull * 0 : kPublishAgain);
 }
 
 std::string NatsBackend::state() const {
-    if (!link_.connected()) return "nats-server away";
+    if (!ready_) return "nats-server away";
     return fmt::format("{} at the workers", outstanding_.size());
 }
 

@@ -41,8 +41,8 @@ class NatsBackend : public Backend {
     std::vector<NatsMessage> unconfirmed_;
     episode::Clock::time_point heard_ = episode::Clock::now();
     episode::Clock::time_point next_publish_{};
-    int reconnections_ = 0;
-    bool told_away_ = false;
+    int losses_ = 0;      ///< of the link, that have been made good
+    bool ready_ = false;  ///< the link, at the last poll()
 };
 
 }  // namespace k3d::optimizer::backend

@@ -6,7 +6,8 @@
 //     K3D_OUTCOMES  k3d.outcome.VERSION.RUN   a work queue: an outcome stays until its daemon has it
 //
 // VERSION is a hash of the code version: a worker never sees the jobs of another version. Both
-// streams are files of the server, and outlive it.
+// streams are files of the server, and outlive it; if they are lost, whoever is connected makes them
+// again.
 #pragma once
 
 #include <chrono>
@@ -19,7 +20,8 @@
 
 namespace k3d::optimizer::backend {
 
-/// One delivered message; not answered, it comes again after its lease.
+/// One delivered message; not answered, it comes again after its lease. If the server has lost the
+/// stream that it came from, no answer goes out: in the new stream it would be about another one.
 class NatsMessage {
   public:
     struct Impl;
@@ -47,14 +49,15 @@ class NatsSource {
     NatsSource& operator=(NatsSource&&) noexcept;
     ~NatsSource();
 
-    /// Up to `count` messages; waits for the first one at most `patience`. None while the server is
-    /// away.
+    /// Up to `count` messages; waits for the first one at most `patience`. None, perhaps at once,
+    /// while the link is not ready().
     std::vector<NatsMessage> pull(int count, std::chrono::milliseconds patience);
 
   private:
     std::unique_ptr<Impl> impl_;
 };
 
+/// Sources and messages of a link must not outlive it.
 class NatsLink {
   public:
     struct Impl;
@@ -65,11 +68,14 @@ class NatsLink {
     NatsLink(const NatsLink&) = delete;
     NatsLink& operator=(const NatsLink&) = delete;
 
-    bool connected() const;
-    /// How many times the connection was lost and found again.
-    int reconnections() const;
+    /// The server is there, and so are streams and consumers. A server that comes back may have
+    /// lost its files, so they are made again if need be; that may take seconds. What is in the way
+    /// is told in the log, and that it is over.
+    bool ready();
+    /// Grows whenever the queues may have lost what was in them.
+    int losses() const;
     /// True once the server has stored it, or had it already: messages of the same id within the
-    /// last hours are one. False while the server is away; try again.
+    /// last hours are one. False, and told in the log, if it has not; try again.
     bool publish(const std::string& subject, const std::string& id, const std::string& text);
 
     /// The jobs of this code version, shared by all workers.

@@ -39,7 +39,8 @@ Worker::~Worker() {
 void Worker::work(Wakeups& wakeups) {
     const auto idle = std::chrono::duration<double>(options_.idle_s);
     while (!wakeups.stop_wanted()) {
-        take();
+        const bool ready = link_.ready();
+        if (ready) take();
         collect();
         deliver();
         keep_leases();
@@ -47,15 +48,15 @@ void Worker::work(Wakeups& wakeups) {
         if (pool_.running() > 0 || !finished_.empty()) busy_ = now;
         if (options_.idle_s > 0.0 && now - busy_ > idle) break;
         auto next = std::min(pool_.next_look(), now + kLongestWait);
-        if (!link_.connected()) next = now + kAwayWait;
-        if (pool_.running() == 0 && link_.connected()) next = now;  // take() waits
+        if (!ready) next = now + kAwayWait;
+        if (pool_.running() == 0 && ready) next = now;  // take() waits
         wakeups.wait(next);
     }
 }
 
 void Worker::take() {
     const auto room = static_cast<int>(pool_.room());
-    if (room == 0 || !link_.connected()) return;
+    if (room == 0) return;
     for (NatsMessage& message : jobs_.pull(room, pool_.running() > 0 ? kPullBusy : kPullIdle)) {
         accept(std::move(message));
     }
@@ -99,19 +100,15 @@ void Worker::collect() {
 }
 
 void Worker::deliver() {
-    std::erase_if(finished_, [this](Finished& f) {
+    bool stored = true;
+    std::erase_if(finished_, [&](Finished& f) {
+        if (!stored) return false;  // nor would this one be
         // The outcome first: if we die between the two, the job is played again and comes out the
         // same; the other way round it would be lost.
         const std::string text = episode::to_json(f.run, f.outcome);
-        if (!link_.publish(NatsLink::outcome_subject(f.run), id_of(f.run, f.outcome), text)) {
-            if (!told_away_) spdlog::warn("nats-server is away; waiting for it");
-            told_away_ = true;
-            return false;
-        }
-        if (told_away_) spdlog::info("nats-server is back");
-        told_away_ = false;
-        f.message.done();
-        return true;
+        stored = link_.publish(NatsLink::outcome_subject(f.run), id_of(f.run, f.outcome), text);
+        if (stored) f.message.done();
+        return stored;
     });
 }
 

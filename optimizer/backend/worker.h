@@ -65,7 +65,6 @@ class Worker {
     std::vector<Finished> finished_;
     episode::Clock::time_point leases_kept_ = episode::Clock::now();
     episode::Clock::time_point busy_ = episode::Clock::now();
-    bool told_away_ = false;
 };
 
 }  // namespace k3d::optimizer::backend

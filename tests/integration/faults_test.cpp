@@ -200,6 +200,62 @@ TEST_F(Faults, TheDaemonWaitsForAServerThatIsAway) {
     expect_end();
 }
 
+TEST_F(Faults, AServerThatLosesItsFilesLosesNoEpisode) {
+    for (int i = 0; i < kWorkers; ++i) start_worker(i);
+    start_daemon("run");
+    for (long losses = 1; losses <= 5; ++losses) {
+        // Workers hold episodes, and the numbers of their messages are given again.
+        ASSERT_TRUE(await(*daemon_, [&] {
+            const std::string rows = rows_so_far("hit");
+            return std::count(rows.begin(), rows.end(), '\n') > 15 * losses;
+        })) << content("daemon.log");
+        nats_.kill();
+        nats_.start_without_files();
+    }
+    expect_end();
+    EXPECT_EQ(canonical("hit"), calm_bytes());
+    EXPECT_EQ(failed_tries("hit"), "");
+    EXPECT_THAT(content("daemon.log"), HasSubstr("nats-server is back"));
+}
+
+TEST_F(Faults, AnswersToALostStreamReachNoMessageOfTheNewOne) {
+    start_worker(0);
+    start_daemon("run");
+    const auto rows = [this] {
+        const std::string text = rows_so_far("hit");
+        return std::count(text.begin(), text.end(), '\n');
+    };
+    ASSERT_TRUE(await(*daemon_, [&] { return rows() > 8; })) << content("daemon.log");
+    ::kill(workers_[0]->pid(), SIGSTOP);
+    daemon_->kill();
+    nats_.kill();
+    nats_.start_without_files();
+    start_daemon("resume");
+    // The new stream has other jobs under the numbers of those that the worker holds.
+    ASSERT_TRUE(await(*daemon_, [this] { return tells("daemon.log", " at the workers"); }));
+    EXPECT_FALSE(daemon_->wait(milliseconds(1000)));
+    ::kill(workers_[0]->pid(), SIGCONT);
+    expect_end();
+    EXPECT_EQ(canonical("hit"), calm_bytes());
+}
+
+TEST_F(Faults, TheDaemonTellsWhatAServerThatIsBackLacks) {
+    start_worker(0);
+    start_daemon("run");
+    ASSERT_TRUE(await(*daemon_, [this] { return plays(); })) << content("daemon.log");
+    nats_.kill();
+    nats_.start_without_streams();
+    const std::string lacks = "stream K3D_JOBS: No responders available for request";
+    EXPECT_TRUE(await(*daemon_, [&] { return tells("daemon.log", lacks); }))
+        << content("daemon.log");
+    EXPECT_TRUE(await(*workers_[0], [&] { return tells("worker-0.log", lacks); }))
+        << content("worker-0.log");
+    nats_.kill();
+    nats_.start_again();
+    expect_end();
+    EXPECT_EQ(failed_tries("hit"), "");
+}
+
 TEST_F(Faults, AWorkerThatIsToldToStopGivesItsWorkBack) {
     start_worker(0);
     start_daemon("run");

@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <string>
 #include <thread>
+#include <vector>
 
 #include "common/process/child.h"
 
@@ -28,15 +29,25 @@ class NatsProcess {
     pid_t pid() const { return child_->pid(); }
     void kill() { child_->kill(); }
     void start_again() { start(port_); }
+    /// Killed before: as on another machine, or another folder.
+    void start_without_files() {
+        std::filesystem::remove_all(folder_ + "/jetstream");
+        start(port_);
+    }
+    void start_without_streams() { start(port_, false); }
 
   private:
-    void start(const std::string& port) {
+    void start(const std::string& port, bool streams = true) {
         const char* own = "/usr/sbin/nats-server";
-        const std::string program = std::filesystem::exists(own) ? own : "nats-server";
-        child_ = std::make_unique<process::Child>(
-            process::Spawn{{program, "-a", "127.0.0.1", "-p", port, "-js", "-sd", folder_,
-                            "--ports_file_dir", folder_ + "/ports"},
-                           folder_ + "/log", false});
+        std::vector<std::string> words{std::filesystem::exists(own) ? own : "nats-server",
+                                       "-a",
+                                       "127.0.0.1",
+                                       "-p",
+                                       port,
+                                       "--ports_file_dir",
+                                       folder_ + "/ports"};
+        if (streams) words.insert(words.end(), {"-js", "-sd", folder_});
+        child_ = std::make_unique<process::Child>(process::Spawn{words, folder_ + "/log", false});
     }
 
     /// {"nats":["nats://127.0.0.1:43210"]}

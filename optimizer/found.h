@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a finished search has found, read from its ledger.
+// What a search has found so far, whether it is over or not, read from its ledger.
 #pragma once
 
 #include <optional>

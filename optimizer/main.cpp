@@ -29,8 +29,6 @@ namespace {
 
 using k3d::optimizer::spec::MatchSpec;
 
-constexpr int kExitInterrupted = 130;
-
 /// What a command line asks for: files first, then what the flags say.
 struct Options {
     std::vector<std::string> config_files;
@@ -124,7 +122,7 @@ int run_match(const Options& options) {
     const auto run = k3d::optimizer::play_match(spec, progress);
     progress.end();
     std::cout << k3d::optimizer::report::table(spec, run);
-    if (run.interrupted) return kExitInterrupted;
+    if (run.interrupted) return k3d::config::kExitInterrupted;
     return run.failures.empty() ? 0 : k3d::config::kExitFailed;
 }
 

@@ -11,6 +11,7 @@
 #include <iostream>
 #include <memory>
 
+#include "common/config/command_line.h"
 #include "common/config/config.h"
 #include "common/network/network.h"
 #include "common/version/version.h"
@@ -29,8 +30,6 @@ namespace k3d::optimizer {
 namespace fs = std::filesystem;
 
 namespace {
-
-constexpr int kExitInterrupted = 130;
 
 struct Flags {
     std::string part = "all";
@@ -357,7 +356,7 @@ int reproduce(Flags flags) {
     const std::string page = report::write_reproduction(reproduction, flags.out);
     if (!done) {
         progress.say("stopped; the same command goes on. What there is: " + page);
-        return kExitInterrupted;
+        return config::kExitInterrupted;
     }
     std::cout << report::reproduction_text(reproduction);
     progress.say("report: " + page);

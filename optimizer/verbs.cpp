@@ -9,6 +9,7 @@
 #include <memory>
 #include <string>
 
+#include "common/config/command_line.h"
 #include "common/log/log.h"
 #include "optimizer/backend/local_backend.h"
 #include "optimizer/backend/nats_backend.h"
@@ -24,7 +25,6 @@ namespace k3d::optimizer {
 
 namespace {
 
-constexpr int kExitInterrupted = 130;
 constexpr std::chrono::milliseconds kNatsAgain{500};
 
 /// How a run is carried out; no result depends on it.
@@ -89,7 +89,7 @@ int go_on(Run run, const Carrier& carrier) {
     progress.say(progress.summary() + "; " + progress.overhead());
     if (ended == Ended::Stopped) {
         progress.say("stopped; go on with: k3d-optimizer resume " + run.folder());
-        return kExitInterrupted;
+        return config::kExitInterrupted;
     }
     std::cout << report::course(run.ledger(), run.ended());
     progress.say("report: " + report::write_report({run.ledger(), run.experiment(),

@@ -19,6 +19,7 @@ namespace k3d::config {
 
 inline constexpr int kExitFailed = 1;  ///< a port, a file, a connection or a child failed
 inline constexpr int kExitUsage = 2;   ///< the command line, a configuration or what it names is bad
+inline constexpr int kExitInterrupted = 130;  ///< stopped by the user, as a shell says of Ctrl-C
 
 /// A flag that is the short name of a configuration path: {"--pace", "pace.mode", "help"}.
 using ShortFlag = std::array<const char*, 3>;

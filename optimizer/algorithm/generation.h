@@ -32,8 +32,8 @@ struct Entry {
 /// What is known per candidate in one pool; a candidate without a score counts as failed.
 std::vector<Outcome> outcomes(const std::vector<Entry>& entries, Pool pool);
 
-/// Wants `episodes` in all of the candidates at these indices, unless they failed. True if that is
-/// more than is known of any of them.
+/// Wants at least `episodes` in all of the candidates at these indices. That is noted of one that
+/// failed too, but it is asked for no more of them. True if any of the others has episodes to play.
 bool want(std::vector<Entry>& entries, const std::vector<std::size_t>& indices, Pool pool,
           int episodes);
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "common/log/log.h"
+#include "common/math/sample.h"
 #include "optimizer/algorithm/seeds.h"
 
 namespace k3d::optimizer::algorithm {
@@ -20,12 +20,9 @@ double error_of(double squares, int n) {
 }  // namespace
 
 Score score_of(const std::vector<double>& values) {
-    K3D_ASSERT(!values.empty());
     const int n = static_cast<int>(values.size());
-    const double mean = std::accumulate(values.begin(), values.end(), 0.0) / n;
-    double squares = 0.0;
-    for (const double value : values) squares += (value - mean) * (value - mean);
-    return {mean, error_of(squares, n), n};
+    const double mean = mean_of(values);
+    return {mean, error_of(squares_about(values, mean), n), n};
 }
 
 std::vector<std::size_t> ranking(const std::vector<Outcome>& outcomes) {

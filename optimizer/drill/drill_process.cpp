@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "common/config/command_line.h"
 #include "optimizer/episode/collect.h"
 #include "optimizer/episode/job_match.h"
 #include "optimizer/spec/words.h"
@@ -13,8 +14,6 @@
 namespace k3d::optimizer::drill {
 
 namespace {
-
-constexpr int kExitUsage = 2;
 
 std::string log_of(const std::string& folder) {
     return folder + "/drill.log";
@@ -85,9 +84,9 @@ DrillProcess::DrillProcess(const episode::Job& job, const std::string& folder)
 std::optional<episode::Ending> DrillProcess::poll() {
     if (const auto exit = child_.poll()) {
         if (exit->code == 0) return read(job_, folder_);
-        const bool usage = !exit->signalled && exit->code == kExitUsage;
+        const bool usage = !exit->signalled && exit->code == config::kExitUsage;
         return fail(episode::describe_end("drill", *exit, log_of(folder_)),
-                    usage ? std::optional(kExitUsage) : std::nullopt);
+                    usage ? std::optional(config::kExitUsage) : std::nullopt);
     }
     const std::chrono::duration<double> taken = episode::Clock::now() - started_;
     if (taken.count() < job_.task.deadline_s) return std::nullopt;

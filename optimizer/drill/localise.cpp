@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Where am I: while walking about, after a kidnap and after a fall.
-#include <algorithm>
-#include <cmath>
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+
+#include "common/math/sample.h"
 #include "optimizer/drill/plan.h"
 
 namespace k3d::optimizer::drill {

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "optimizer/drill/plan.h"
 
-#include <algorithm>
-#include <cmath>
 #include <fmt/format.h>
 
-#include "common/log/log.h"
+#include <algorithm>
+#include <cmath>
+
+#include "common/math/sample.h"
 
 namespace k3d::optimizer::drill {
 
@@ -40,21 +41,6 @@ int count_falls(const std::vector<Moment>& moments) {
         down = down ? m.truth.robot->up < kUpCosine : is_down(m.truth);
     }
     return falls;
-}
-
-double mean_of(const std::vector<double>& sample) {
-    double sum = 0.0;
-    for (const double value : sample) sum += value;
-    return sum / static_cast<double>(sample.size());
-}
-
-double quantile(std::vector<double> sample, double share) {
-    K3D_ASSERT(!sample.empty());
-    std::sort(sample.begin(), sample.end());
-    const double place = share * static_cast<double>(sample.size() - 1);
-    const auto below = static_cast<std::size_t>(place);
-    const std::size_t above = std::min(below + 1, sample.size() - 1);
-    return sample[below] + (place - std::floor(place)) * (sample[above] - sample[below]);
 }
 
 void add_estimate_errors(const std::vector<Moment>& moments, Measured& out) {

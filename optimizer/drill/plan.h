@@ -60,8 +60,4 @@ void add_finish_errors(const std::vector<Moment>& moments, std::size_t from, con
 /// The ball lies still, or nearly.
 bool is_at_rest(const Vec2& ball_velocity);
 
-double mean_of(const std::vector<double>& sample);
-/// Value below which a share of the sample lies; the sample must not be empty.
-double quantile(std::vector<double> sample, double share);
-
 }  // namespace k3d::optimizer::drill

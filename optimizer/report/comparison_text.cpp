@@ -185,11 +185,11 @@ std::string csv_tail(const Circumstances& s) {
 std::string csv_line(const spec::TableSpec& table, const std::string& figure,
                      const ComparedLine& line, const Circumstances& said) {
     const auto half = half_width_95(line.s);
-    std::string text =
-        fmt::format("{},{},\"{}\",{},{},{},{},{},{},{},{}", table.name, line.key, line.label,
-                    figure, line.s.n, csv_cell(line.s.mean), csv_cell(line.s.sd),
-                    csv_cell(line.s.se), half ? csv_cell(*line.s.mean - *half) : "",
-                    half ? csv_cell(*line.s.mean + *half) : "", table.reference);
+    std::string text = fmt::format("{},{},{},{},{},{},{},{},{},{},{}", table.name, line.key,
+                                   csv_quoted(line.label), figure, line.s.n, csv_cell(line.s.mean),
+                                   csv_cell(line.s.sd), csv_cell(line.s.se),
+                                   half ? csv_cell(*line.s.mean - *half) : "",
+                                   half ? csv_cell(*line.s.mean + *half) : "", table.reference);
     if (const auto& p = line.against) {
         const bool ratio = p->ratio.has_value();
         text += fmt::format(",{},{},{},{},{},{},{},{},{},{},{}", p->n, p->difference, p->low,
@@ -206,9 +206,9 @@ std::string csv_line(const spec::TableSpec& table, const std::string& figure,
 /// interval of the mean.
 std::string csv_line(const spec::TableSpec& table, const SurvivalLine& line,
                      const Circumstances& said) {
-    std::string text =
-        fmt::format("{},{},\"{}\",hold_s_per_end,{},{},,,,,{}", table.name, line.key, line.label,
-                    line.s.ended + line.s.cut, csv_cell(line.s.s_per_end), table.reference);
+    std::string text = fmt::format("{},{},{},hold_s_per_end,{},{},,,,,{}", table.name, line.key,
+                                   csv_quoted(line.label), line.s.ended + line.s.cut,
+                                   csv_cell(line.s.s_per_end), table.reference);
     if (const auto& t = line.against) {
         const bool ratio = t->ratio.has_value();
         text +=

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "common/math/sample.h"
+
 namespace k3d::optimizer::report {
 
 namespace {
@@ -26,15 +28,6 @@ std::map<int, Means> training_means(const std::vector<ledger::Row>& rows) {
         }
     }
     return means;
-}
-
-/// Value below which a share of the sample lies.
-double quantile(std::vector<double> sample, double share) {
-    std::sort(sample.begin(), sample.end());
-    const double at = share * static_cast<double>(sample.size() - 1);
-    const auto below = static_cast<std::size_t>(at);
-    const auto above = std::min(below + 1, sample.size() - 1);
-    return sample[below] + (at - static_cast<double>(below)) * (sample[above] - sample[below]);
 }
 
 GenerationFigures figures_of(int generation, const Means& means) {

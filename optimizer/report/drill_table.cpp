@@ -3,9 +3,9 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <map>
 
+#include "common/math/sample.h"
 #include "optimizer/report/statistics.h"
 
 namespace k3d::optimizer::report {
@@ -16,16 +16,7 @@ std::string cell(const std::optional<double>& value) {
     return value ? fmt::format("{:10.3f}", *value) : fmt::format("{:>10}", "-");
 }
 
-/// Between neighbours of the sorted sample, which is not empty.
-double quantile(const std::vector<double>& sorted, double share) {
-    const double place = share * static_cast<double>(sorted.size() - 1);
-    const auto below = static_cast<std::size_t>(place);
-    const std::size_t above = std::min(below + 1, sorted.size() - 1);
-    return sorted[below] + (place - static_cast<double>(below)) * (sorted[above] - sorted[below]);
-}
-
-std::string row(const std::string& name, std::vector<double> sample) {
-    std::sort(sample.begin(), sample.end());
+std::string row(const std::string& name, const std::vector<double>& sample) {
     const Statistics s = statistics(sample);
     return fmt::format("{:<28}{:>5}{}{}{}{}{}{}\n", name, s.n, cell(s.mean), cell(s.sd), cell(s.se),
                        cell(quantile(sample, 0.05)), cell(quantile(sample, 0.5)),

@@ -4,12 +4,12 @@
 #include <fmt/format.h>
 
 #include <filesystem>
-#include <fstream>
 #include <map>
 
 #include "optimizer/report/run_report.h"
 #include "optimizer/report/run_text.h"
 #include "optimizer/report/svg_plot.h"
+#include "optimizer/report/write_file.h"
 
 namespace k3d::optimizer::report {
 
@@ -128,12 +128,6 @@ std::string searches_html(const Reproduction& r) {
     return out + "</table></div>\n";
 }
 
-void write(const std::string& path, const std::string& text) {
-    std::ofstream file(path, std::ios::binary);
-    file << text << std::flush;
-    if (!file) throw std::runtime_error("cannot write " + path);
-}
-
 }  // namespace
 
 std::string searches_csv(const Reproduction& r) {
@@ -188,13 +182,13 @@ std::string reproduction_html(const Reproduction& r) {
 }
 
 std::string write_reproduction(const Reproduction& r, const std::string& folder) {
-    write(folder + "/report.html", reproduction_html(r));
-    write(folder + "/tables.txt", reproduction_text(r));
-    write(folder + "/tables.csv", reproduction_csv(r));
-    write(folder + "/searches.csv", searches_csv(r));
+    write_file(folder + "/report.html", reproduction_html(r));
+    write_file(folder + "/tables.txt", reproduction_text(r));
+    write_file(folder + "/tables.csv", reproduction_csv(r));
+    write_file(folder + "/searches.csv", searches_csv(r));
     std::filesystem::create_directories(folder + "/episodes");
     for (const Comparison& table : r.tables) {
-        write(folder + "/episodes/" + table.table.name + ".csv", episodes_csv(table));
+        write_file(folder + "/episodes/" + table.table.name + ".csv", episodes_csv(table));
     }
     return folder + "/report.html";
 }

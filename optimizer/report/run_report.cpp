@@ -4,9 +4,8 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <map>
 #include <filesystem>
-#include <fstream>
+#include <map>
 
 #include "optimizer/fitness/fitness.h"
 #include "optimizer/report/curves.h"
@@ -14,6 +13,7 @@
 #include "optimizer/report/run_plots.h"
 #include "optimizer/report/run_text.h"
 #include "optimizer/report/svg_plot.h"
+#include "optimizer/report/write_file.h"
 
 namespace k3d::optimizer::report {
 
@@ -169,12 +169,6 @@ std::string origin(const RunFacts& run, const ledger::Facts& facts) {
         fact("file"), fact("experiment"), overrides(facts));
 }
 
-void write(const std::string& path, const std::string& text) {
-    std::ofstream file(path, std::ios::binary);
-    file << text << std::flush;
-    if (!file) throw std::runtime_error("cannot write " + path);
-}
-
 }  // namespace
 
 std::string_view page_style() { return kStyle; }
@@ -246,14 +240,14 @@ std::string write_report(const RunFacts& run, const std::string& folder) {
     std::error_code fault;
     std::filesystem::create_directories(folder, fault);
     if (fault) throw std::runtime_error(folder + ": " + fault.message());
-    write(folder + "/report.html", report_html(run));
-    write(folder + "/episodes.csv", csv(run.ledger.rows(), false));
-    write(folder + "/generations.csv", generations_csv(run.ledger.log()));
+    write_file(folder + "/report.html", report_html(run));
+    write_file(folder + "/episodes.csv", csv(run.ledger.rows(), false));
+    write_file(folder + "/generations.csv", generations_csv(run.ledger.log()));
     if (run.champion) {
         const bool network = run.experiment.start_network.has_value();
-        write(folder + (network ? "/champion.json" : "/champion.toml"),
-              champion_file(run.experiment, *run.champion,
-                            provenance_of(*run.champion, run.experiment, run.ledger)));
+        write_file(folder + (network ? "/champion.json" : "/champion.toml"),
+                   champion_file(run.experiment, *run.champion,
+                                 provenance_of(*run.champion, run.experiment, run.ledger)));
     }
     return folder + "/report.html";
 }

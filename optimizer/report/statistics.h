@@ -7,6 +7,8 @@
 #include <optional>
 #include <vector>
 
+#include "common/math/sample.h"
+
 namespace k3d::optimizer::report {
 
 struct Statistics {
@@ -16,19 +18,14 @@ struct Statistics {
     std::optional<double> se;    ///< of the mean: sd / sqrt(n)
 };
 
-/// Two passes: the sum of squares less the square of the sum would cancel.
 inline Statistics statistics(const std::vector<double>& sample) {
     Statistics s;
     s.n = sample.size();
     if (s.n == 0) return s;
-    const auto n = static_cast<double>(s.n);
-    double sum = 0.0;
-    for (const double value : sample) sum += value;
-    s.mean = sum / n;
+    s.mean = mean_of(sample);
     if (s.n < 2) return s;
-    double squares = 0.0;
-    for (const double value : sample) squares += (value - *s.mean) * (value - *s.mean);
-    s.sd = std::sqrt(squares / (n - 1.0));
+    const auto n = static_cast<double>(s.n);
+    s.sd = std::sqrt(squares_about(sample, *s.mean) / (n - 1.0));
     s.se = *s.sd / std::sqrt(n);
     return s;
 }

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -14,6 +15,7 @@ namespace {
 constexpr double kWidth = 640.0;
 constexpr double kHeight = 300.0;
 constexpr double kLeft = 64.0, kRight = 16.0, kTop = 34.0, kBottom = 58.0;
+constexpr double kLegendRow = 16.0, kKeyWidth = 20.0, kKeyGap = 5.0;
 constexpr std::size_t kColours = 8;
 constexpr std::size_t kBins = 24;
 
@@ -49,11 +51,11 @@ struct Frame {
     }
 };
 
-std::string open(const Axes& axes) {
+std::string open(const Axes& axes, double height = kHeight) {
     return fmt::format(
         "<svg class=\"plot\" viewBox=\"0 0 {} {}\" role=\"img\" aria-label=\"{}\">\n"
         "<text class=\"title\" x=\"{}\" y=\"20\">{}</text>\n",
-        kWidth, kHeight, escape(axes.title), kLeft, escape(axes.title));
+        kWidth, height, escape(axes.title), kLeft, escape(axes.title));
 }
 
 std::string grid(const Frame& frame, const Axes& axes, bool y_ticks) {
@@ -82,7 +84,15 @@ std::string grid(const Frame& frame, const Axes& axes, bool y_ticks) {
     return out;
 }
 
-std::string line(const Frame& frame, const Series& s, std::size_t colour) {
+/// Colours go round; each time they do the lines are broken in another way.
+std::string line_class(std::size_t series, const Series& s) {
+    constexpr std::array<std::string_view, 3> kBroken{"", " dashed", " dotted"};
+    const std::size_t round = series / kColours + (s.dashed ? 1 : 0);
+    return fmt::format("line c{}{}", series % kColours, kBroken[round % kBroken.size()]);
+}
+
+std::string line(const Frame& frame, const Series& s, std::size_t series) {
+    const std::size_t colour = series % kColours;
     std::string out;
     if (!s.low.empty() && s.low.size() == s.x.size() && s.high.size() == s.x.size()) {
         std::string points;
@@ -109,20 +119,45 @@ std::string line(const Frame& frame, const Series& s, std::size_t colour) {
         }
         drawing = good;
     }
-    return out + fmt::format("<path class=\"line c{}{}\" d=\"{}\"/>\n", colour,
-                             s.dashed ? " dashed" : "", path);
+    return out + fmt::format("<path class=\"{}\" d=\"{}\"/>\n", line_class(series, s), path);
 }
 
-std::string legend(const std::vector<std::string>& labels) {
-    std::string out;
+/// Where the name of a series stands below the plot.
+struct Entry {
+    std::size_t series = 0;
+    std::size_t row = 0;
+    double x = 0.0;
+};
+
+/// In rows as wide as the plot, as many as it takes.
+std::vector<Entry> legend_of(const std::vector<Series>& series) {
+    constexpr double kLetter = 6.0;  // broader than most: the font is not known here
+    std::vector<Entry> entries;
+    std::size_t row = 0;
     double x = kLeft;
-    for (std::size_t i = 0; i < labels.size(); ++i) {
-        if (labels[i].empty()) continue;
+    for (std::size_t i = 0; i < series.size(); ++i) {
+        if (series[i].label.empty()) continue;
+        const double letters = static_cast<double>(series[i].label.size());
+        const double width = kKeyWidth + kKeyGap + kLetter * letters;
+        if (x > kLeft && x + width > kWidth - kRight) {
+            ++row;
+            x = kLeft;
+        }
+        entries.push_back({i, row, x});
+        x += width + 17.0;
+    }
+    return entries;
+}
+
+std::string legend(const std::vector<Series>& series, const std::vector<Entry>& entries) {
+    std::string out;
+    for (const auto& [i, row, x] : entries) {
+        const double y = kHeight - 8.0 + kLegendRow * static_cast<double>(row);
         out += fmt::format(
-            "<rect class=\"key c{}\" x=\"{:.0f}\" y=\"{:.0f}\" width=\"14\" height=\"4\"/>"
-            "<text class=\"tick\" x=\"{:.0f}\" y=\"{:.0f}\">{}</text>\n",
-            i % kColours, x, kHeight - 10, x + 19, kHeight - 5, escape(labels[i]));
-        x += 36.0 + 6.6 * static_cast<double>(labels[i].size());
+            "<line class=\"{0}\" x1=\"{1:.0f}\" x2=\"{2:.0f}\" y1=\"{3:.0f}\" y2=\"{3:.0f}\"/>"
+            "<text class=\"tick\" x=\"{4:.0f}\" y=\"{5:.0f}\">{6}</text>\n",
+            line_class(i, series[i]), x, x + kKeyWidth, y, x + kKeyWidth + kKeyGap, y + 4.0,
+            escape(series[i].label));
     }
     return out;
 }
@@ -194,19 +229,20 @@ std::vector<double> ticks(double low, double high) {
 
 std::string line_plot(const Axes& axes, const std::vector<Series>& series) {
     Frame frame;
-    std::vector<std::string> labels;
     for (const Series& s : series) {
         frame.x.include(s.x);
         frame.y.include(s.y);
         frame.y.include(s.low);
         frame.y.include(s.high);
-        labels.push_back(s.label);
     }
     frame.x.settle();
     frame.y.settle();
-    std::string out = open(axes) + grid(frame, axes, true);
-    for (std::size_t i = 0; i < series.size(); ++i) out += line(frame, series[i], i % kColours);
-    return out + legend(labels) + "</svg>\n";
+    const std::vector<Entry> entries = legend_of(series);
+    const std::size_t more_rows = entries.empty() ? 0 : entries.back().row;
+    std::string out =
+        open(axes, kHeight + kLegendRow * static_cast<double>(more_rows)) + grid(frame, axes, true);
+    for (std::size_t i = 0; i < series.size(); ++i) out += line(frame, series[i], i);
+    return out + legend(series, entries) + "</svg>\n";
 }
 
 std::string stack_plot(const Axes& axes, const std::vector<double>& x,
@@ -262,10 +298,11 @@ svg.plot .tick { font: 11px system-ui, sans-serif; fill: var(--dim); }
 svg.plot .grid { stroke: var(--rule); stroke-width: 1; }
 svg.plot .line { fill: none; stroke: var(--c); stroke-width: 2; }
 svg.plot .dashed { stroke-dasharray: 5 4; }
+svg.plot .dotted { stroke-dasharray: 2 3; }
 svg.plot .band { fill: var(--c); opacity: 0.18; }
 svg.plot .layer { fill: var(--c); opacity: 0.75; stroke: var(--ground); stroke-width: 0.5; }
 svg.plot .bar { fill: var(--c); opacity: 0.55; }
-svg.plot circle, svg.plot .key { fill: var(--c); }
+svg.plot circle { fill: var(--c); }
 svg.plot .mean { stroke: var(--ink); fill: var(--ink); stroke-width: 2; }
 .c0 { --c: #0072b2; } .c1 { --c: #d55e00; } .c2 { --c: #009e73; } .c3 { --c: #cc79a7; }
 .c4 { --c: #e69f00; } .c5 { --c: #56b4e9; } .c6 { --c: #8c6d31; } .c7 { --c: #7f7f7f; }

@@ -21,7 +21,8 @@ struct Axes {
     std::string x, y;  ///< what they say, with unit
 };
 
-/// Colours follow the order of the series.
+/// Colours follow the order of the series; after eight of them lines are dashed, then dotted. Names
+/// stand below, in rows by which the picture grows.
 std::string line_plot(const Axes& axes, const std::vector<Series>& series);
 
 /// Values on top of each other, one layer each, e.g. members of species.

@@ -29,8 +29,8 @@ class Search {
     std::size_t size() const { return static_cast<std::size_t>(constants_.population); }
     std::vector<double> values(std::size_t candidate) const;
     std::vector<double> centre() const;  ///< the mean: the estimator of the optimum under noise
+    int episodes() const { return episodes_; }  ///< per candidate, at a generation's start
     /// Episodes per candidate, in all, that the ranks need; not above what was played: enough.
-    int episodes() const { return episodes_; }
     int episodes_wanted(const std::vector<Outcome>& outcomes) const;
     void update(const std::vector<Outcome>& outcomes);
     std::optional<std::string> stopped() const { return stopped_; }

@@ -23,12 +23,6 @@ Moment moment(double time, double up, const Vec2& ball) {
     return m;
 }
 
-TEST(DrillPlan, QuantilesLieBetweenNeighbours) {
-    EXPECT_EQ(quantile({3.0, 1.0, 2.0}, 0.5), 2.0);
-    EXPECT_EQ(quantile({1.0, 2.0}, 0.25), 1.25);
-    EXPECT_EQ(quantile({7.0}, 0.95), 7.0);
-}
-
 TEST(DrillPlan, AFallCountsOnceUntilUpright) {
     std::vector<Moment> moments;
     for (const double up : {1.0, 0.4, 0.7, 0.3, 0.95, 0.2}) {

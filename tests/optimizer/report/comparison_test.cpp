@@ -252,6 +252,15 @@ TEST(Comparison, EquationOneHasNoRatio) {
     EXPECT_TRUE(c.figures.at(3).lines.at(0).against->ratio);
 }
 
+TEST(Comparison, LabelsMayHaveQuotes) {
+    Given given = three_rows();
+    given.rows[0].spec.label = "Learned before: my \"best\", so far";
+    const std::string csv = comparison_csv(given.compared());
+    const std::string cell = ",\"Learned before: my \"\"best\"\", so far\",";
+    EXPECT_THAT(csv, HasSubstr("table1-greedy,a-1" + cell + "attempts,2,"));
+    EXPECT_THAT(csv, HasSubstr("table1-greedy,a-1" + cell + "hold_s_per_end,2,"));
+}
+
 TEST(Comparison, EveryEpisodeIsALineOfItsFigures) {
     const std::string csv = episodes_csv(three_rows().compared());
     EXPECT_THAT(csv, testing::StartsWith("row,episode,seed,status,reason,attempts,hold_time_s,"

@@ -224,12 +224,20 @@ void Simulation::carry_out_stored_commands() {
     }
 }
 
+void Simulation::say_ignored(const session::Order& order, std::string_view why) {
+    std::string text;
+    wire::encode(order.command, text);
+    notices_.say(spdlog::level::warn, "trainer at {}: {} ignored, {}", order.peer,
+                 log::printable(text), why);
+}
+
 void Simulation::obey_trainers() {
     if (!serves_monitors()) return;
     monitors_.read();
-    for (const wire::TrainerCommand& command : monitors_.take_commands()) {
-        const game::TrainerEffect effect = game::apply(command, *scene_, game_);
+    for (const session::Order& order : monitors_.take_commands()) {
+        const game::TrainerEffect effect = game::apply(order.command, *scene_, game_);
         end_ = end_ || effect.end_simulation;
+        if (effect.ignored) say_ignored(order, "keepaway keeps its own time and play modes");
         if (!effect.killed) continue;
         for (const auto& agent : agents_) {
             if (agent->player == effect.killed) kill(*agent);

@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "common/clock/clock.h"
@@ -105,6 +106,7 @@ class Simulation {
     void judge_self_collisions();
     void remove_player(session::AgentSession& agent);
     void kill(session::AgentSession& agent);
+    void say_ignored(const session::Order& order, std::string_view why);
 
     // Keepaway's way from lobby to result (episode.cpp).
     bool in_lobby() const { return lobby_; }

@@ -173,13 +173,11 @@ void Simulation::begin_input_cycle() {
 
 void Simulation::obey_trainers_in_lobby() {
     monitors_.read();
-    for (const wire::TrainerCommand& command : monitors_.take_commands()) {
-        if (std::holds_alternative<wire::KillSimCommand>(command)) {
+    for (const session::Order& order : monitors_.take_commands()) {
+        if (std::holds_alternative<wire::KillSimCommand>(order.command)) {
             end_ = true;
         } else {
-            std::string text;
-            wire::encode(command, text);
-            spdlog::warn("trainer's {} ignored: the match has not begun", text);
+            say_ignored(order, "the match has not begun");
         }
     }
 }

@@ -29,17 +29,22 @@ struct Apply {
         }
     }
     void operator()(const wire::PlayModeCommand& c) {
-        if (const auto mode = play_mode(c.mode)) state(game).enter(*mode);
+        const auto mode = play_mode(c.mode);
+        if (Soccer* referee = soccer(); referee != nullptr && mode) referee->state().enter(*mode);
     }
     void operator()(const wire::KickOffCommand& c) {
-        if (Soccer* soccer = std::get_if<Soccer>(&game)) soccer->kick_off(c.side);
+        if (Soccer* referee = soccer()) referee->kick_off(c.side);
     }
     void operator()(const wire::DropBallCommand&) {
+        Soccer* referee = soccer();
+        if (referee == nullptr) return;
         settle_ball(scene);
         clear_ball(scene);
-        state(game).enter(PlayMode::PlayOn);
+        referee->state().enter(PlayMode::PlayOn);
     }
-    void operator()(const wire::TimeCommand& c) { state(game).time = c.time; }
+    void operator()(const wire::TimeCommand& c) {
+        if (Soccer* referee = soccer()) referee->state().time = c.time;
+    }
     void operator()(const wire::ScoreCommand& c) {
         state(game).score_left = c.left;
         state(game).score_right = c.right;
@@ -71,6 +76,12 @@ struct Apply {
     void operator()(const wire::TrainerSynCommand&) {}  // concerns the barrier alone
     void operator()(const wire::IdleCommand&) {}
 
+    /// Who obeys the commands that decide over the course of a match; keepaway's referee does not.
+    Soccer* soccer() {
+        Soccer* referee = std::get_if<Soccer>(&game);
+        effect.ignored = referee == nullptr;
+        return referee;
+    }
     body::Player* selected() {
         const auto found = std::find_if(scene.players.begin(), scene.players.end(),
                                         [](const auto& player) { return player->selected; });

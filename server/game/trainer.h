@@ -13,9 +13,12 @@ namespace k3d::server::game {
 struct TrainerEffect {
     bool end_simulation = false;
     std::optional<int> killed;  ///< id of a player to remove
+    bool ignored = false;       ///< this game does not obey it
 };
 
 /// Carries the command out. A command for an unknown player or mode has no effect (reference A.2).
+/// Keepaway ignores play modes, kick-offs, dropped balls and the time: they decide what its row
+/// says.
 TrainerEffect apply(const wire::TrainerCommand& command, body::Scene& scene, Game& game);
 
 }  // namespace k3d::server::game

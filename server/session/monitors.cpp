@@ -2,7 +2,6 @@
 #include "server/session/monitors.h"
 
 #include <algorithm>
-#include <iterator>
 
 #include "common/log/log.h"
 
@@ -70,7 +69,8 @@ void Monitors::take_frame(Monitor& monitor, std::string_view frame) {
             monitor.refused = true;
         } else if (std::holds_alternative<wire::TrainerSynCommand>(command)) {
             if (barrier_ && !monitor.in_barrier) {
-                spdlog::info("trainer at {} is waited for", monitor.connection->peer());
+                notices_.say(spdlog::level::info, "trainer at {} is waited for",
+                             monitor.connection->peer());
             }
             monitor.in_barrier = monitor.in_barrier || barrier_;
             monitor.synced = monitor.in_barrier;
@@ -95,10 +95,12 @@ void Monitors::drop_left() {
     });
 }
 
-std::vector<wire::TrainerCommand> Monitors::take_commands() {
-    std::vector<wire::TrainerCommand> all;
+std::vector<Order> Monitors::take_commands() {
+    std::vector<Order> all;
     for (Monitor& monitor : monitors_) {
-        std::ranges::move(monitor.pending, std::back_inserter(all));
+        for (wire::TrainerCommand& command : monitor.pending) {
+            all.push_back({monitor.connection->peer(), std::move(command)});
+        }
         monitor.pending.clear();
     }
     return all;

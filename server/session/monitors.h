@@ -26,6 +26,12 @@ namespace k3d::server::session {
 /// Whether `network.trainers` lets this peer ("127.0.0.1:51234") command the simulation.
 bool may_command(std::string_view trainers, std::string_view peer);
 
+/// What a trainer wants, and which one does.
+struct Order {
+    std::string peer;
+    wire::TrainerCommand command;
+};
+
 /// Makes frames on demand.
 struct FrameSource {
     std::function<std::string()> full;
@@ -43,7 +49,7 @@ class Monitors {
     /// no trainer's `(syn)` is missing. Who has left is dropped.
     bool read();
     /// What was read since the last call, by connection in order of acceptance.
-    std::vector<wire::TrainerCommand> take_commands();
+    std::vector<Order> take_commands();
     /// Gives up trainers whose `(syn)` is missing.
     void close_hung();
 

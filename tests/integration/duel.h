@@ -27,7 +27,7 @@ inline bool holds(const std::string& text, const std::string& part) {
 using Script = std::map<int, std::string>;
 
 /// Ends the game 24 cycles after its start: the ball leaves the area.
-inline const Script kBallOut{{2, "(playMode PlayOn)"}, {12, "(ball (pos 8 0 0.042))"}};
+inline const Script kBallOut{{12, "(ball (pos 8 0 0.042))"}};
 
 /// Plays on a server with these flags until it ends; the EpisodeResult.
 inline episode::Result play_duel(std::vector<std::string> flags, const Script& script,
@@ -36,8 +36,9 @@ inline episode::Result play_duel(std::vector<std::string> flags, const Script& s
         std::filesystem::temp_directory_path() /
         ("k3d-duel-" + name + "-" + std::to_string(getpid()) + ".jsonl");
     std::filesystem::remove(results);
-    flags.insert(flags.end(), {"--game", "keepaway", "--pace", "fast", "--keepers", "1", "--takers",
-                               "1", "--results", results.string()});
+    flags.insert(flags.end(),
+                 {"--game", "keepaway", "--pace", "fast", "--keepers", "1", "--takers", "1",
+                  "--set", "keepaway.before_kick_off=0.1", "--results", results.string()});
     ServerProcess server(flags);
     net::Client trainer("127.0.0.1", server.trainer_port(), kPatience);
     EXPECT_TRUE(holds(next_frame(trainer), "(RSG 0 1)"));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What must not become a keepaway row like any other: an episode short of a player.
+// What must not become a keepaway row like any other: an episode short of a player, or one whose
+// time and modes a trainer has set.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -55,6 +56,32 @@ TEST(Rows, NoFurtherEpisodeBeginsWithoutWhoLeftAfterTheWhistle) {
     ASSERT_EQ(rows.size(), 1U) << game.server().log();
     EXPECT_EQ(rows[0].reason, "ball_out") << "what was over is valid";
     EXPECT_THAT(game.server().log(), HasSubstr("keepaway 2 of 3 cannot begin: missing right 1"));
+}
+
+TEST(Rows, SayTheSameWhateverModeAndTimeATrainerWishes) {
+    const auto play = [](const std::string& name, const std::vector<std::string>& wishes) {
+        PuppetGame game(name, {"--set", "keepaway.limit=1"});
+        game.turns(10);
+        for (const std::string& wish : wishes) game.turn(wish);
+        EXPECT_EQ(game.play_to_the_end(), 0);
+        const auto rows = game.results();
+        EXPECT_EQ(rows.size(), 1U) << "it must end by the limit: " << game.server().log();
+        return std::pair(rows.empty() ? "" : episode::to_line(rows[0]), game.server().log());
+    };
+    const auto [quiet, unused] = play("quiet", {});
+    EXPECT_THAT(quiet, HasSubstr("time_limit"));
+    const std::vector<std::string> wishes{"(time 0)",
+                                          "(time 250)",
+                                          "(dropBall)",
+                                          "(kickOff Left)",
+                                          "(playMode free_kick_left)",
+                                          "(playMode GameOver)"};
+    const auto [wished, log] = play("wishes", wishes);
+    EXPECT_EQ(wished, quiet);
+    for (const std::string& wish : wishes) {
+        EXPECT_THAT(log, HasSubstr(": " + wish + " ignored, keepaway keeps its own time")) << wish;
+    }
+    EXPECT_THAT(log, HasSubstr("trainer at 127.0.0.1:"));
 }
 
 }  // namespace

@@ -122,6 +122,29 @@ TEST(Trainer, BareAgentSendsTheSelectedPlayerBack) {
     expect_near(near_line.torso_position(), {-14, 0.5, 0.4});
 }
 
+TEST(Trainer, KeepawayKeepsItsModeAndTime) {
+    Rig rig;
+    KeepawayConfig config;
+    config.keepers = config.takers = 1;
+    rig.add(wire::Side::Left, 1, {0, 0, 1});
+    rig.add(wire::Side::Right, 1, {0, 0, 1});
+    rig.game.emplace<Keepaway>(config, 5, rig.scene);
+    rig.now().mode = PlayMode::PlayOn;
+    rig.now().time = 7.0;
+    rig("(ball (pos 1 2 0.5)(vel 3 0 1))");
+    for (const char* command : {"(playMode GameOver)", "(playMode free_kick_left)", "(dropBall)",
+                                "(time 0)", "(kickOff Left)"}) {
+        EXPECT_TRUE(rig(command).ignored) << command;
+        EXPECT_EQ(rig.now().mode, PlayMode::PlayOn) << command;
+        EXPECT_EQ(rig.now().time, 7.0) << command;
+        expect_near(rig.scene.ball.velocity(), {3, 0, 1});
+    }
+    EXPECT_FALSE(rig("(ball (pos 0 0 0.042))").ignored);
+    EXPECT_FALSE(rig("(select (unum 1)(team Left))").ignored);
+    Rig soccer;
+    EXPECT_FALSE(soccer("(playMode PlayOn)(time 3)").ignored);
+}
+
 TEST(Trainer, DropBallClearsTheSpotAndPlaysOn) {
     Rig rig;
     body::Robot& near_left = *rig.add(wire::Side::Left, 1, {0.5, 0.3, 0.4}).robot;

@@ -74,7 +74,7 @@ struct Rig {
     }
     std::string commands() {
         std::string text;
-        for (const auto& command : monitors.take_commands()) wire::encode(command, text);
+        for (const auto& order : monitors.take_commands()) wire::encode(order.command, text);
         return text;
     }
     std::string frame(const char* header) {

@@ -17,8 +17,8 @@ inline double mean_of(const std::vector<double>& sample) {
     return std::accumulate(sample.begin(), sample.end(), 0.0) / static_cast<double>(sample.size());
 }
 
-/// Sum of the squared distances from the mean. A second pass: the sum of squares less the square of the
-/// sum would cancel.
+/// Sum of the squared distances from the mean. A second pass: the sum of squares less the square of
+/// the sum would cancel.
 inline double squares_about(const std::vector<double>& sample, double mean) {
     double squares = 0.0;
     for (const double value : sample) squares += (value - mean) * (value - mean);

@@ -202,11 +202,8 @@ report::Reproduction gather(const Work& work) {
     }
     for (const std::string& part : spec::kParts) {
         for (const spec::TableSpec& table : spec::tables_of(part, work.budget)) {
-            std::vector<report::ComparedRow> rows;
-            for (const spec::RowSpec& row : table.rows) {
-                auto played = read_row(row, work.row_folder(table, row));
-                if (!played.rows.empty()) rows.push_back(std::move(played));
-            }
+            auto rows = read_rows(
+                table, [&](const spec::RowSpec& row) { return work.row_folder(table, row); });
             if (rows.empty()) continue;
             const bool printed = part == "table1";
             out.tables.push_back(
@@ -313,13 +310,31 @@ spec::Budget budget_of(const Flags& flags) {
     return budget;
 }
 
-/// Episodes of the tables that gave no valid result in any try.
-int count_failed(const report::Reproduction& reproduction) {
+/// What the tables lack, if anything: episodes that gave no valid result in any try, and rows that
+/// cannot be read.
+std::string lacks(const report::Reproduction& reproduction) {
     int failed = 0;
+    std::ptrdiff_t unreadable = 0;
     for (const report::Comparison& table : reproduction.tables) {
         for (const report::Circumstances& row : table.circumstances) failed += row.failed;
+        unreadable += std::count_if(table.rows.begin(), table.rows.end(), is_unreadable);
     }
-    return failed;
+    std::string text;
+    if (failed > 0) text = fmt::format("{} test episodes have no valid result", failed);
+    if (unreadable > 0) {
+        text += fmt::format("{}{} rows cannot be read", text.empty() ? "" : ", ", unreadable);
+    }
+    return text;
+}
+
+/// After an error, which nothing that this meets may replace: on a full disk it fails too.
+void tell_what_there_is(const Work& work) {
+    try {
+        const std::string page = report::write_reproduction(gather(work), work.flags.out);
+        work.progress.say("what there is: " + page);
+    } catch (const std::exception& error) {
+        work.progress.say(std::string("no report of what there is: ") + error.what());
+    }
 }
 
 int reproduce(Flags flags) {
@@ -334,7 +349,7 @@ int reproduce(Flags flags) {
     try {
         done = do_parts(work);
     } catch (const std::exception&) {
-        progress.say("what there is: " + report::write_reproduction(gather(work), flags.out));
+        tell_what_there_is(work);
         throw;
     }
     progress.say(progress.summary());
@@ -346,9 +361,9 @@ int reproduce(Flags flags) {
     }
     std::cout << report::reproduction_text(reproduction);
     progress.say("report: " + page);
-    const int failed = count_failed(reproduction);
-    if (failed > 0) progress.say(fmt::format("{} test episodes have no valid result", failed));
-    return failed > 0 ? 1 : 0;
+    const std::string lacking = lacks(reproduction);
+    if (!lacking.empty()) progress.say(lacking);
+    return lacking.empty() ? 0 : 1;
 }
 
 }  // namespace

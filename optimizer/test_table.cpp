@@ -96,6 +96,36 @@ Round round_of(const spec::TableSpec& table, const spec::RowSpec& row, const Row
     return round;
 }
 
+/// Throws LedgerError for a result that no figure can be read from.
+void check_results(const std::vector<ledger::Row>& rows, const std::string& file) {
+    for (const ledger::Row& row : rows) {
+        try {
+            if (!row.result.empty()) k3d::episode::from_line(row.result);
+        } catch (const k3d::episode::ResultError& error) {
+            throw ledger::LedgerError(
+                fmt::format("{}: episode {}: {}", file, row.key.text(), error.what()));
+        }
+    }
+}
+
+/// Without episodes if it has none yet, and then without origin; or if it cannot be read.
+report::ComparedRow read_row(const spec::RowSpec& row, const std::string& file) {
+    report::ComparedRow out{row, "", {}, ""};
+    try {
+        const auto ledger = ledger::Ledger::open(file, ledger::Ledger::Access::Read);
+        std::vector<ledger::Row> rows = ledger.rows();
+        if (rows.empty()) return out;
+        check_results(rows, file);
+        const ledger::Facts facts = ledger.facts();
+        out.version = facts.at("code_version");
+        out.origin = fmt::format("{}; tested by version {}", facts.at("who"), out.version);
+        out.rows = std::move(rows);
+    } catch (const std::exception& error) {
+        out.origin = std::string("cannot be read: ") + error.what();
+    }
+    return out;
+}
+
 }  // namespace
 
 bool play_row(const spec::TableSpec& table, const spec::RowSpec& row, const RowPlayer& player,
@@ -127,15 +157,27 @@ bool play_row(const spec::TableSpec& table, const spec::RowSpec& row, const RowP
     return true;
 }
 
-report::ComparedRow read_row(const spec::RowSpec& row, const std::string& folder) {
-    report::ComparedRow out{row, "", {}, ""};
-    if (!fs::exists(ledger_file(folder))) return out;
-    const auto ledger = ledger::Ledger::open(ledger_file(folder), ledger::Ledger::Access::Read);
-    const ledger::Facts facts = ledger.facts();
-    out.version = facts.at("code_version");
-    out.origin = fmt::format("{}; tested by version {}", facts.at("who"), out.version);
-    out.rows = ledger.rows();
-    return out;
+std::vector<report::ComparedRow> read_rows(
+    const spec::TableSpec& table,
+    const std::function<std::string(const spec::RowSpec&)>& folder_of) {
+    std::vector<report::ComparedRow> rows;
+    std::string version;
+    for (const spec::RowSpec& row : table.rows) {
+        const std::string file = ledger_file(folder_of(row));
+        if (!fs::exists(file)) continue;
+        report::ComparedRow read = read_row(row, file);
+        if (read.origin.empty()) continue;
+        if (!is_unreadable(read)) version = read.version;
+        rows.push_back(std::move(read));
+    }
+    for (report::ComparedRow& row : rows) {
+        if (is_unreadable(row)) row.version = version;  // else the table warns of two
+    }
+    return rows;
+}
+
+bool is_unreadable(const report::ComparedRow& row) {
+    return row.rows.empty();
 }
 
 }  // namespace k3d::optimizer

@@ -3,8 +3,10 @@
 // table goes on where it was.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "optimizer/backend/wakeups.h"
 #include "optimizer/found.h"
@@ -27,7 +29,13 @@ bool play_row(const spec::TableSpec& table, const spec::RowSpec& row, const RowP
               const std::string& folder, int jobs, backend::Wakeups& wakeups,
               report::RunProgress& progress);
 
-/// The row as far as it has been played; without episodes if it has not been begun.
-report::ComparedRow read_row(const spec::RowSpec& row, const std::string& folder);
+/// Those rows of a table that have been begun, as far as they have been played; `folder_of` tells
+/// where each is. One that cannot be read costs no other: it has no episodes, and its origin says
+/// why. Since that belongs to the disk or to other code, it is of no version of its own.
+std::vector<report::ComparedRow> read_rows(
+    const spec::TableSpec& table,
+    const std::function<std::string(const spec::RowSpec&)>& folder_of);
+/// Of what read_rows() has returned.
+bool is_unreadable(const report::ComparedRow& row);
 
 }  // namespace k3d::optimizer

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // `reproduce` from end to end with real programs, on episodes of a second: it learns, tests, goes on after
 // an interruption, repeats nothing, and ends with a report.
+#include <SQLiteCpp/SQLiteCpp.h>
 #include <gmock/gmock.h>
 
 #include "integration/run_rig.h"
@@ -51,6 +52,39 @@ class Reproduce : public RunRig {
             << content("kick.log");
         std::filesystem::remove(path("agent"));
     }
+    std::string test_ledger(const std::string& row) const {
+        return path("out/test/table1-greedy/" + row + "/ledger.sqlite");
+    }
+    /// As of other code, or on a bad disk: a result that is none, then a ledger that is none.
+    void expect_damage_costs_one_row_each() const {
+        SQLite::Database(test_ledger("hold"), SQLite::OPEN_READWRITE, 10'000)
+            .exec("UPDATE episodes SET result = 'torn' WHERE episode = 1");
+        EXPECT_EQ(run(words("table1"), "torn.log"), 1);
+        EXPECT_THAT(content("torn.log"), HasSubstr("\nAlways hold: episodes 0; "));
+        EXPECT_THAT(content("torn.log"),
+                    HasSubstr(" who cannot be read: " + test_ledger("hold") + ": episode test/"));
+        EXPECT_THAT(content("torn.log"), ::testing::EndsWith("\n1 rows cannot be read\n"));
+        EXPECT_THAT(content("torn.log"), Not(HasSubstr("different versions")));
+        EXPECT_THAT(content("out/episodes/table1-greedy.csv"), HasSubstr("\nstill,1,"));
+        EXPECT_THAT(content("out/episodes/table1-greedy.csv"), Not(HasSubstr("\nhold,")));
+
+        std::filesystem::remove(test_ledger("still"));
+        write("out/test/table1-greedy/still/ledger.sqlite", std::string(200, 'x'));
+        EXPECT_EQ(run(words("table1"), "torn.log"), 1);
+        const std::string none = test_ledger("still") + ": file is not a database";
+        EXPECT_THAT(content("torn.log"), ::testing::EndsWith("\nk3d-optimizer: " + none + "\n"));
+        EXPECT_THAT(content("out/tables.txt"), HasSubstr(" who cannot be read: " + none));
+        EXPECT_THAT(content("out/episodes/table1-greedy.csv"), HasSubstr("\nrandom,1,"));
+        // A report that cannot be written is not why the command has ended.
+        std::filesystem::remove(path("out/report.html"));
+        std::filesystem::create_directory(path("out/report.html"));
+        EXPECT_EQ(run(words("table1"), "torn.log"), 1);
+        EXPECT_THAT(content("torn.log"), HasSubstr("no report of what there is: cannot write " +
+                                                   path("out/report.html")));
+        EXPECT_THAT(content("torn.log"), ::testing::EndsWith("\nk3d-optimizer: " + none + "\n"));
+        std::filesystem::remove(path("out/report.html"));
+        std::filesystem::remove_all(path("out/test/table1-greedy/still"));
+    }
     std::vector<std::string> words(const std::string& part) const {
         return {"reproduce", part,           "--budget", path("tiny.toml"),
                 "--out",     path("out"),    "--jobs",   "2",
@@ -93,6 +127,7 @@ TEST_F(Reproduce, Table1FromNothingInTwoGoes) {
     EXPECT_THAT(content("out/search/keepaway_linear-1/report/report.html"),
                 HasSubstr("<pre id=\"overrides\">test.episodes=0\n"));
 
+    expect_damage_costs_one_row_each();
     write("tiny.toml", budget("2", "1"));
     EXPECT_EQ(run(words("table1"), "other.log"), 1) << content("other.log");
     EXPECT_THAT(content("other.log"), HasSubstr("was played with another candidate, task or seed"));

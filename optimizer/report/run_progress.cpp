@@ -45,20 +45,17 @@ double RunProgress::Tally::wall_s() const {
 }
 
 std::string RunProgress::Tally::rates() const {
-    return fmt::format("{:.1f} episodes per min, {:.1f} simulated s per wall s",
-                       static_cast<double>(episodes) * 60.0 / wall_s(), simulated_s / wall_s());
-}
-
-std::string RunProgress::rates_of(const Tally& tally) const {
-    return tally.rates() + (failed_ > 0 ? fmt::format(", {} failed", failed_) : "");
+    return fmt::format("{:.1f} episodes per min, {:.1f} simulated s per wall s{}",
+                       static_cast<double>(episodes) * 60.0 / wall_s(), simulated_s / wall_s(),
+                       failed > 0 ? fmt::format(", {} failed", failed) : "");
 }
 
 std::string RunProgress::rates() const {
-    return rates_of(stage_);
+    return stage_.rates();
 }
 
 std::string RunProgress::summary() const {
-    return rates_of(all_);
+    return all_.rates();
 }
 
 std::string RunProgress::overhead() const {
@@ -88,9 +85,9 @@ void RunProgress::show(const RunView& view, const std::vector<ledger::Row>& news
     for (const ledger::Row& row : news) {
         for (Tally* tally : {&all_, &stage_}) {
             ++tally->episodes;
+            tally->failed += row.status == "failed";
             tally->simulated_s += row.simulated_s;
         }
-        failed_ += row.status == "failed";
         wall_s_ += row.wall_s;
     }
     const auto now = Clock::now();

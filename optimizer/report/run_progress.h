@@ -31,8 +31,8 @@ class RunProgress {
 
     /// Plain lines, e.g. where the run is.
     void say(const std::string& text);
-    /// The same, where a search or a row of a table begins: rates and the end told from here on are
-    /// its own.
+    /// The same, where a search or a row of a table begins: rates, failures and the end told from
+    /// here on are its own.
     void begin(const std::string& text);
     /// `news`: rows that have come in since the last call. Cheap: call it after each wait.
     void show(const RunView& view, const std::vector<ledger::Row>& news,
@@ -40,8 +40,9 @@ class RunProgress {
     /// A generation is closed; `line` is the algorithm's log of it.
     void closed(const nlohmann::json& line);
 
-    std::string rates() const;    ///< of the search or row that plays, as the line tells them
-    std::string summary() const;  ///< rates since the start
+    /// Rates and failures of the search or row that plays, as the line tells them.
+    std::string rates() const;
+    std::string summary() const;  ///< the same since the start
     /// This process' own work as a share of the wall time of its episodes.
     std::string overhead() const;
 
@@ -50,6 +51,7 @@ class RunProgress {
     struct Tally {
         Clock::time_point start = Clock::now();
         std::size_t episodes = 0;
+        std::size_t failed = 0;
         double simulated_s = 0.0;
 
         double wall_s() const;
@@ -57,7 +59,6 @@ class RunProgress {
     };
 
     void wipe();
-    std::string rates_of(const Tally& tally) const;
     std::string eta(const RunView& view) const;
 
     std::ostream& out_;
@@ -67,7 +68,6 @@ class RunProgress {
     Tally all_;
     Tally stage_;  ///< of what was begun last: the search, or its test, which is slower
     bool in_test_ = false;
-    std::size_t failed_ = 0;
     double wall_s_ = 0.0;  ///< of the episodes, those at the same time added
 };
 

@@ -62,13 +62,15 @@ TEST_F(RunProgressTest, TheTestOfARunIsNotToldByItsSearch) {
     EXPECT_THAT(shown({true, 0, 0, 0, 20}, 0), testing::HasSubstr(" 0.0 episodes per min"));
 }
 
-TEST_F(RunProgressTest, FailuresStayTold) {
+TEST_F(RunProgressTest, FailuresAreThoseOfTheStageThatHadThem) {
     auto failed = finished(1);
     failed.front().status = "failed";
     progress_.show({true, 0, 0, 1, 20}, failed, "2 running");
+    EXPECT_THAT(shown({true, 0, 0, 2, 20}, 1), testing::HasSubstr(", 1 failed"));
     progress_.begin("the next row");
-    EXPECT_THAT(shown({true, 0, 0, 0, 20}, 0), testing::HasSubstr(", 1 failed"));
-    EXPECT_THAT(progress_.summary(), testing::EndsWith(", 1 failed"));
+    EXPECT_THAT(shown({true, 0, 0, 0, 20}, 0), testing::Not(testing::HasSubstr("failed")));
+    EXPECT_THAT(progress_.rates(), testing::Not(testing::HasSubstr("failed")));
+    EXPECT_THAT(progress_.summary(), testing::EndsWith(", 1 failed"));  // of all
 }
 
 }  // namespace

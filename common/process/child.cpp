@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <charconv>
 #include <csignal>
 #include <cstring>
 #include <fstream>
@@ -61,6 +62,17 @@ bool is_ready_line(std::string_view line) {
 std::string Exit::text() const {
     return signalled ? "killed by signal " + std::to_string(code - 128)
                      : "exit code " + std::to_string(code);
+}
+
+std::optional<int> port_in(const std::map<std::string, std::string>& ready,
+                           const std::string& name) {
+    const auto found = ready.find(name);
+    if (found == ready.end()) return std::nullopt;
+    const std::string& text = found->second;
+    int port = 0;
+    const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), port);
+    const bool good = fault == std::errc() && end == text.data() + text.size();
+    return good && port >= 1 && port <= 65535 ? std::optional(port) : std::nullopt;
 }
 
 struct Child::Impl {

@@ -35,6 +35,11 @@ struct Spawn {
     bool batch = false;
 };
 
+/// The port of this name in the pairs of a ready line; none if it is not told or is no number from
+/// 1 to 65535.
+std::optional<int> port_in(const std::map<std::string, std::string>& ready,
+                           const std::string& name);
+
 class Child {
   public:
     /// Starts it in a new process group that is killed if the owner dies. Throws ProcessError with

@@ -2,17 +2,15 @@
 #include "optimizer/backend/job_pool.h"
 
 #include <fmt/format.h>
-#include <stdlib.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
-#include <cstring>
 #include <filesystem>
 #include <stdexcept>
 
 #include "common/log/log.h"
+#include "optimizer/backend/log_folder.h"
 #include "optimizer/episode/job_match.h"
 
 namespace k3d::optimizer::backend {
@@ -24,28 +22,13 @@ namespace {
 constexpr std::chrono::milliseconds kLongestWait{500};
 constexpr std::uintmax_t kLeastSpace = 4 * 1024 * 1024;
 
-std::string make_temporary() {
-    std::string path = (fs::temp_directory_path() / "k3d-jobs-XXXXXX").string();
-    if (::mkdtemp(path.data()) == nullptr) {
-        throw std::runtime_error(fmt::format("log folder {}: {}", path, std::strerror(errno)));
-    }
-    return path;
-}
-
-std::string make(const std::string& path) {
-    std::error_code fault;
-    fs::create_directories(path, fault);
-    if (fault) throw std::runtime_error(fmt::format("log folder {}: {}", path, fault.message()));
-    return fs::absolute(path).string();
-}
-
 /// Of a daemon that was killed during the same try there may be files: a result among them would be
 /// taken for one of ours.
 std::string make_empty(const std::string& path) {
     std::error_code fault;
     fs::remove_all(path, fault);
     if (fault) throw std::runtime_error(fmt::format("log folder {}: {}", path, fault.message()));
-    return make(path);
+    return make_log_folder(path);
 }
 
 std::string this_worker() {
@@ -77,7 +60,8 @@ std::string full_disk(const std::string& folder) {
 
 JobPool::JobPool(int slots, const std::string& log_folder)
     : slots_(static_cast<std::size_t>(slots)),
-      folder_(log_folder.empty() ? make_temporary() : make(log_folder)),
+      folder_(log_folder.empty() ? make_temporary_log_folder("k3d-jobs-")
+                                 : make_log_folder(log_folder)),
       temporary_(log_folder.empty()),
       worker_(this_worker()) {}
 

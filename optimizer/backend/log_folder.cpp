@@ -13,17 +13,15 @@ namespace k3d::optimizer::backend {
 
 namespace fs = std::filesystem;
 
-namespace {
-
-std::string make_temporary() {
-    std::string path = (fs::temp_directory_path() / "k3d-match-XXXXXX").string();
+std::string make_temporary_log_folder(const std::string& name) {
+    std::string path = (fs::temp_directory_path() / (name + "XXXXXX")).string();
     if (::mkdtemp(path.data()) == nullptr) {
         throw std::runtime_error(fmt::format("log folder {}: {}", path, std::strerror(errno)));
     }
     return path;
 }
 
-std::string make(const std::string& path) {
+std::string make_log_folder(const std::string& path) {
     std::error_code fault;
     fs::create_directories(path, fault);
     if (fault || !fs::is_directory(path)) {
@@ -33,10 +31,9 @@ std::string make(const std::string& path) {
     return fs::absolute(path).string();
 }
 
-}  // namespace
-
 LogFolder::LogFolder(const std::string& wanted)
-    : path_(wanted.empty() ? make_temporary() : make(wanted)), temporary_(wanted.empty()) {}
+    : path_(wanted.empty() ? make_temporary_log_folder("k3d-match-") : make_log_folder(wanted)),
+      temporary_(wanted.empty()) {}
 
 LogFolder::~LogFolder() {
     std::error_code ignored;
@@ -46,7 +43,7 @@ LogFolder::~LogFolder() {
 std::string LogFolder::begin(const episode::Task& task) {
     const std::string of_seed = fmt::format("{}/seed-{}", path_, task.seed);
     if (task.attempt == 1) fs::remove_all(of_seed);
-    return make(fmt::format("{}/try-{}", of_seed, task.attempt));
+    return make_log_folder(fmt::format("{}/try-{}", of_seed, task.attempt));
 }
 
 void LogFolder::end(const std::string& folder, bool failed) {

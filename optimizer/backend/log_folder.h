@@ -8,6 +8,12 @@
 
 namespace k3d::optimizer::backend {
 
+/// Makes it, if it is not there, and returns its absolute path. Throws std::runtime_error naming a
+/// folder that cannot be made.
+std::string make_log_folder(const std::string& path);
+/// A new one among the temporary files, whose name begins with `name`. Throws the same.
+std::string make_temporary_log_folder(const std::string& name);
+
 /// A folder asked for by name keeps everything. Without a name there is a temporary one, of which
 /// only failed tries stay.
 class LogFolder {

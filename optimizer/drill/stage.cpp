@@ -4,12 +4,10 @@
 #include <fmt/format.h>
 #include <xxhash.h>
 
-#include <charconv>
-#include <filesystem>
-
 #include "common/config/command_line.h"
 #include "optimizer/episode/collect.h"
 #include "optimizer/episode/commands.h"
+#include "optimizer/spec/agent_fields.h"
 #include "optimizer/spec/settings.h"
 
 namespace k3d::optimizer::drill {
@@ -24,20 +22,10 @@ constexpr const char* kServerLog = "/server.log";
 constexpr const char* kAgentLog = "/agent.log";
 constexpr const char* kSecondLog = "/second.log";
 
-std::string program(const std::string& wanted, const char* name) {
-    if (!wanted.empty()) return wanted;
-    return (std::filesystem::read_symlink("/proc/self/exe").parent_path() / name).string();
-}
-
-int port_in(const std::map<std::string, std::string>& ready, const std::string& name) {
-    const auto found = ready.find(name);
-    int port = 0;
-    if (found != ready.end()) {
-        const std::string& text = found->second;
-        std::from_chars(text.data(), text.data() + text.size(), port);
-    }
-    if (port < 1 || port > 65535) throw DrillFailure("the server's ready line names no " + name + " port");
-    return port;
+int port_told(const std::map<std::string, std::string>& ready, const std::string& name) {
+    const auto port = process::port_in(ready, name);
+    if (!port) throw DrillFailure("the server's ready line names no " + name + " port");
+    return *port;
 }
 
 std::string pace_of(const spec::DrillSpec& spec, int http_port) {
@@ -85,7 +73,7 @@ Stage::Stage(const spec::DrillSpec& spec, std::uint64_t seed,
 
 void Stage::start_server(const spec::DrillSpec& spec, std::uint64_t seed, int http_port,
                          int robots) {
-    std::vector<std::string> words{program(spec.server_program, "k3d-server"),
+    std::vector<std::string> words{spec::program_path(spec.server_program, "k3d-server"),
                                    "--agent-port", "0", "--server-port", "0",
                                    "--seed", std::to_string(seed),
                                    "--pace", pace_of(spec, http_port),
@@ -103,9 +91,9 @@ void Stage::start_server(const spec::DrillSpec& spec, std::uint64_t seed, int ht
     server_ = std::make_unique<process::Child>(
         process::Spawn{words, folder_ + kServerLog, true, batch_});
     const auto ready = wait_ready();
-    agent_port_ = port_in(ready, "agent");
-    monitor_port_ = port_in(ready, "monitor");
-    if (http_port >= 0) page_port_ = port_in(ready, "http");
+    agent_port_ = port_told(ready, "agent");
+    monitor_port_ = port_told(ready, "monitor");
+    if (http_port >= 0) page_port_ = port_told(ready, "http");
 }
 
 std::map<std::string, std::string> Stage::wait_ready() {
@@ -121,7 +109,7 @@ std::map<std::string, std::string> Stage::wait_ready() {
 std::unique_ptr<process::Child> Stage::start_agent(const spec::DrillSpec& spec, std::uint64_t seed,
                                                    int unum,
                                                    const std::vector<std::string>& settings) {
-    std::vector<std::string> words{program(spec.agent_program, "k3d-agent"),
+    std::vector<std::string> words{spec::program_path(spec.agent_program, "k3d-agent"),
                                    "--host", host_, "--port", std::to_string(agent_port_),
                                    "--unum", std::to_string(unum), "--team", "Drill", "--role", "drill",
                                    "--type", std::to_string(spec.type),

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <filesystem>
 
 #include "optimizer/episode/collect.h"
@@ -27,16 +26,6 @@ constexpr seconds kForeignPatience{1};
 
 Clock::duration in_seconds(double value) {
     return std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(value));
-}
-
-std::optional<int> port_in(const std::map<std::string, std::string>& ready, const char* name) {
-    const auto found = ready.find(name);
-    if (found == ready.end()) return std::nullopt;
-    const std::string& text = found->second;
-    int port = 0;
-    const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), port);
-    const bool good = fault == std::errc() && end == text.data() + text.size();
-    return good && port >= 1 && port <= 65535 ? std::optional(port) : std::nullopt;
 }
 
 process::Child start_server(const spec::MatchSpec& spec, const Task& task,
@@ -72,8 +61,8 @@ std::optional<Ending> Episode::poll() {
 std::optional<Ending> Episode::start_agents_when_ready() {
     const auto exit = server_.poll();
     if (const auto ready = server_.poll_ready()) {
-        page_port_ = port_in(*ready, "http");
-        const auto port = port_in(*ready, "agent");
+        page_port_ = process::port_in(*ready, "http");
+        const auto port = process::port_in(*ready, "agent");
         if (!port) return fail("the server's ready line names no agent port", 1);
         try {
             start_agents(*port);

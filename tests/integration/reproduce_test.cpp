@@ -79,7 +79,7 @@ class Reproduce : public RunRig {
         std::filesystem::remove(path("out/report.html"));
         std::filesystem::create_directory(path("out/report.html"));
         EXPECT_EQ(run(words("table1"), "torn.log"), 1);
-        EXPECT_THAT(content("torn.log"), HasSubstr("\nno report of what there is: cannot write " +
+        EXPECT_THAT(content("torn.log"), HasSubstr("no report of what there is: cannot write " +
                                                    path("out/report.html")));
         EXPECT_THAT(content("torn.log"), ::testing::EndsWith("\nk3d-optimizer: " + none + "\n"));
         std::filesystem::remove(path("out/report.html"));

@@ -14,22 +14,23 @@ using nlohmann::json;
 
 constexpr int kMost = std::numeric_limits<int>::max() - 1;
 constexpr std::array<const char*, 4> kKinds = {"bias", "input", "output", "hidden"};
-constexpr std::array<const char*, 6> kActivations = {"linear", "sigmoid", "tanh",
-                                                     "relu",   "gauss",   "sine"};
-
-template <std::size_t N>
-int index_of(const Reader& reader, const std::array<const char*, N>& words, const char* what) {
+NodeKind read_kind(const Reader& reader) {
     const std::string text = reader.text();
-    for (std::size_t i = 0; i < N; ++i) {
-        if (text == words[i]) return static_cast<int>(i);
+    for (std::size_t i = 0; i < kKinds.size(); ++i) {
+        if (text == kKinds[i]) return static_cast<NodeKind>(i);
     }
-    reader.fail(fmt::format("\"{}\" is no {}", text, what));
+    reader.fail(fmt::format("\"{}\" is no kind of node", text));
+}
+
+network::Activation read_activation(const Reader& reader) {
+    const std::string text = reader.text();
+    if (const auto activation = network::activation_named(text)) return *activation;
+    reader.fail(fmt::format("\"{}\" is no activation", text));
 }
 
 NodeGene read_node(const Reader& reader) {
-    return {reader.entry(0).integer(0, kMost),
-            static_cast<NodeKind>(index_of(reader.entry(1), kKinds, "kind of node")),
-            static_cast<network::Activation>(index_of(reader.entry(2), kActivations, "activation"))};
+    return {reader.entry(0).integer(0, kMost), read_kind(reader.entry(1)),
+            read_activation(reader.entry(2))};
 }
 
 LinkGene read_link(const Reader& reader, const Genome& genome) {
@@ -52,7 +53,7 @@ json save(const Genome& genome) {
     json nodes = json::array();
     for (const NodeGene& node : genome.nodes) {
         nodes.push_back({node.id, kKinds[static_cast<std::size_t>(node.kind)],
-                         kActivations[static_cast<std::size_t>(node.activation)]});
+                         network::name_of(node.activation)});
     }
     json links = json::array();
     for (const LinkGene& l : genome.links) {

@@ -62,6 +62,17 @@ TEST(Child, ReadyLineGivesItsPairs) {
               (std::map<std::string, std::string>{{"agent", "40123"}, {"monitor", "40124"}}));
 }
 
+TEST(Child, APortOfTheReadyLineIsAWholeNumberOfItsRange) {
+    const std::map<std::string, std::string> ready{
+        {"good", "3100"},  {"most", "65535"}, {"more", "65536"}, {"none", "0"},
+        {"tail", "3100x"}, {"empty", ""},     {"less", "-1"}};
+    EXPECT_EQ(port_in(ready, "good"), 3100);
+    EXPECT_EQ(port_in(ready, "most"), 65535);
+    for (const char* bad : {"more", "none", "tail", "empty", "less", "untold"}) {
+        EXPECT_FALSE(port_in(ready, bad)) << bad;
+    }
+}
+
 TEST(Child, StandardInputIsEmpty) {
     Child child(shell("read line; exit 4"));
     const auto exit = child.wait(10s);

@@ -18,6 +18,7 @@
 #include "server/game/game.h"
 #include "server/monitor/frames.h"
 #include "server/recording/monitor_log.h"
+#include "server/recording/output_file.h"
 #include "server/recording/recorder.h"
 #include "server/recording/replay.h"
 #include "server/session/agent_session.h"
@@ -60,7 +61,8 @@ class Simulation {
     /// Opens all ports. Throws net::NetError. "ready agent=40123 monitor=40124 http=40125"
     std::string open_ports();
 
-    /// Runs cycles until the game's episodes are over, a trainer ends it, or `stop` is set.
+    /// Runs cycles until the game's episodes are over, a trainer ends it, or `stop` is set. Throws
+    /// std::runtime_error if results or stage times cannot be written after all.
     Outcome run(const volatile int& stop);
 
     /// Instead: re-simulates a recording, without sockets, up to the first cycle that differs.
@@ -117,7 +119,7 @@ class Simulation {
     void begin_percepts(session::AgentSession& agent);
     void finish_episode();
     bool all_are_still_there();
-    void tell(const episode::Result& result) const;
+    void tell(const episode::Result& result);
     void check_lobby_deadline();
 
     Config config_;
@@ -135,6 +137,7 @@ class Simulation {
     monitor::SceneGraph graph_;
     monitor::Frames frames_;
     std::optional<recording::MonitorLog> monitor_log_;
+    std::optional<recording::OutputFile> results_, stage_times_;
     std::optional<viewer::Viewer> viewer_;
     viewer::SceneView view_;
 

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
 #include <tuple>
 
 #include "common/config/config.h"
@@ -60,6 +59,11 @@ Simulation::Simulation(const Config& config, const Files& files)
       stages_(!config.stage_times.empty()),
       lobby_(has_lobby(config)),
       lobby_since_(net::Clock::now()) {
+    using Begin = recording::OutputFile::Begin;
+    if (!files.results.empty()) {
+        results_.emplace("results", files.results, Begin::BehindWhatIsThere);
+    }
+    if (stages_.on()) stage_times_.emplace("stage times", config.stage_times, Begin::Anew);
     if (!files.monitor_log.empty()) monitor_log_.emplace(files.monitor_log, config.monitor);
     if (!files.record.empty()) {
         const std::string text = config::print(config::describing(config_));
@@ -267,7 +271,7 @@ bool Simulation::all_are_still_there() {
     return false;
 }
 
-void Simulation::tell(const episode::Result& result) const {
+void Simulation::tell(const episode::Result& result) {
     if (is_keepaway(config_)) {
         spdlog::info("episode {}: {} ({}), hold time {:.2f} s, {} kicks, {} passes", episode_,
                      episode::name(result.status), result.reason, result.hold_time_s, result.kicks,
@@ -277,10 +281,7 @@ void Simulation::tell(const episode::Result& result) const {
         spdlog::info("match {}: '{}' {} : {} '{}'", episode_, teams_.left(), state.score_left,
                      state.score_right, teams_.right());
     }
-    if (files_.results.empty()) return;
-    std::ofstream file(files_.results, std::ios::app);
-    file << episode::to_line(result) << '\n' << std::flush;
-    if (!file) spdlog::error("cannot write results to {}", files_.results);
+    if (results_) results_->write(episode::to_line(result) + '\n');
 }
 
 }  // namespace k3d::server

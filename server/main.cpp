@@ -132,6 +132,7 @@ int replay(const Options& options) {
         k3d::server::Config config;
         k3d::config::load_text(k3d::config::describing(config), header.config,
                                "configuration in " + file);
+        config.stage_times.clear();  // those of the run that was recorded stay
         k3d::server::Simulation simulation(config, options.files);
         simulation.replay(recording, outcome);
         return report(file, outcome, recording.complete());

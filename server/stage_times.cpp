@@ -2,15 +2,12 @@
 // Simulation: what its cycles cost, for who asked by `stage_times`.
 #include <fmt/format.h>
 
-#include <fstream>
-
-#include "common/log/log.h"
 #include "server/cycle.h"
 
 namespace k3d::server {
 
 void Simulation::write_stage_times() {
-    if (!stages_.on()) return;
+    if (!stage_times_) return;
     stages_.enter(Stage::Shown);  // ends the stage before
     std::string line = fmt::format("{{\"cycles\":{}", cycles_measured_);
     for (std::size_t k = 0; k < kStageNames.size(); ++k) {
@@ -18,9 +15,7 @@ void Simulation::write_stage_times() {
                             stages_.spent(static_cast<Stage>(k)));
     }
     line += fmt::format(",\"process_s\":{:.6f}}}\n", StageClock::process_seconds());
-    std::ofstream file(config_.stage_times, std::ios::trunc);
-    file << line << std::flush;
-    if (!file) spdlog::error("cannot write stage times to {}", config_.stage_times);
+    stage_times_->write(line);
 }
 
 }  // namespace k3d::server

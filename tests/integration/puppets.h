@@ -60,11 +60,12 @@ inline bool until_the_whistle(const wire::Percepts& percepts) {
 /// cycles.
 class PuppetGame {
   public:
+    /// `device`: where the rows go, in place of a file.
     explicit PuppetGame(const std::string& name, std::vector<std::string> flags = {},
-                        const Puppet::Stays& taker_stays = always)
+                        const Puppet::Stays& taker_stays = always, const std::string& device = "")
         : results_(std::filesystem::temp_directory_path() /
                    ("k3d-puppets-" + name + "-" + std::to_string(getpid()) + ".jsonl")),
-          server_(with_own(results_, std::move(flags))),
+          server_(with_own(results_, device, std::move(flags))),
           trainer_("127.0.0.1", server_.trainer_port(), kPatience) {
         std::string_view greeting;
         EXPECT_TRUE(trainer_.receive(greeting, kPatience));
@@ -110,8 +111,10 @@ class PuppetGame {
 
   private:
     static std::vector<std::string> with_own(const std::filesystem::path& results,
+                                             const std::string& device,
                                              std::vector<std::string> flags) {
         std::filesystem::remove(results);
+        if (!device.empty()) std::filesystem::create_symlink(device, results);
         flags.insert(flags.begin(),
                      {"--game", "keepaway", "--pace", "fast", "--keepers", "1", "--takers", "1",
                       "--left-team", "Keepers", "--set", "keepaway.before_kick_off=0.1",

@@ -194,9 +194,9 @@ TEST(Hostile, AMatchTakesTheCourseItWouldTakeWithoutStrangers) {
 }
 
 TEST(Hostile, StrangersOfASoccerMatchHoldNobodyUp) {
-    ServerProcess server({"--pace", "fast", "--hung-agent-s", "600"});
+    ServerProcess server(fast_with_one_agent({"--hung-agent-s", "600"}));
     WireAgent good(server);
-    good.join(1, "Reds");
+    good.begin_match("Reds");
     WireAgent no_seat(server);
     no_seat.send("(scene rsg/agent/nao/nao.rsg)");
     WireAgent refused(server);

@@ -58,10 +58,10 @@ TEST(MonitorStream, FullFrameAtOnceDifferencesThenAndFullForEachChange) {
 }
 
 TEST(MonitorStream, WhoNeverReadsIsNotWaitedForAndGoesOnWithAFullFrame) {
-    ServerProcess server({"--pace", "fast"});
+    ServerProcess server(fast_with_one_agent());
     net::Client trainer = connect(server);
     WireAgent agent(server);
-    agent.join(1, "Reds");
+    agent.begin_match("Reds");
     // Full frames fill the kernel's buffers soonest. The server must go on all the time.
     trainer.send("(playMode PlayOn)(time 0)");
     for (int cycle = 0; cycle < 1500; ++cycle) {
@@ -133,10 +133,11 @@ TEST(Barrier, CommandsActInFixedCyclesAndRunsAreDeterministic) {
 }
 
 TEST(Barrier, HungTrainerIsGivenUpAndTheGameGoesOn) {
-    ServerProcess server({"--pace", "fast", "--hung-agent-s", "0.5"});
+    // Longer than a busy machine lets our agent wait for its processor.
+    ServerProcess server(fast_with_one_agent({"--hung-agent-s", "5"}));
     net::Client trainer = connect(server);
     WireAgent agent(server);
-    agent.join(1, "Reds");
+    agent.begin_match("Reds");
     trainer.send("(syn)");
     for (int cycle = 0; cycle < 20; ++cycle) agent.step();
     EXPECT_NE(frame_with(trainer, "(syn 1)"), "");

@@ -164,7 +164,8 @@ void both_join(WireAgent& keeper, WireAgent& taker) {
 }
 
 TEST_F(Duel, HungAgentEndsTheEpisodeAsAgentLost) {
-    ServerProcess server(flags({"--hung-agent-s", "1", "--left-team", "Keepers"}));
+    // We play the keeper, too: it must not be late, whatever else the machine has to do.
+    ServerProcess server(flags({"--hung-agent-s", "5", "--left-team", "Keepers"}));
     WireAgent keeper(server);
     WireAgent taker(server);
     both_join(keeper, taker);

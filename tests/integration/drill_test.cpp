@@ -82,7 +82,8 @@ TEST_F(Drills, ASecondRobotKicksABallWhoseStopIsForeseen) {
 }
 
 TEST_F(Drills, AServerThatRunsAlreadyIsUsed) {
-    ServerProcess server({"--pace", "realtime"});
+    // It waits for the agent: in real time one that gets no processor falls.
+    ServerProcess server({"--pace", "sync"});
     ASSERT_EQ(run({"turn", "--runs", "1", "--set", "setup.turn_s=1.5", "--agent-port",
                    std::to_string(server.agent_port()), "--server-port",
                    std::to_string(server.trainer_port()), "--results", file("lines")}),

@@ -7,7 +7,9 @@
 #include <chrono>
 #include <fstream>
 #include <sstream>
+#include <stdexcept>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "integration/server_process.h"
@@ -61,53 +63,66 @@ std::vector<Recorded> recorded_frames() {
 class Metronome {
   public:
     explicit Metronome(const ServerProcess& server) : agent_(server) {
-        agent_.join(2, "Alpha");
+        take_seat(server);
         agent_.step("(beam -14 -9 0)");
         for (int cycle = 0; cycle < 10; ++cycle) tick();
     }
 
-    /// Lets the server go on by one cycle.
-    void tick() { now_ = agent_.step().time; }
+    /// Lets the server go on by one cycle, and gives its time.
+    double tick() { return agent_.step().time; }
 
-    /// Cycles until the newcomer has its first frame; the time of the last cycle.
+    /// Cycles until the newcomer has its first frame; the time of the last cycle. The newcomer has
+    /// connected before us, so that a cycle's frame is sent to it before ours: once ours is here,
+    /// its own is, too.
     double tick_until_answered(WireAgent& newcomer, wire::Percepts& percepts) {
         for (int cycle = 0; cycle < 100; ++cycle) {
-            tick();
+            const double now = tick();
             try {
-                if (!newcomer.receive(percepts, std::chrono::milliseconds(250))) break;
+                if (newcomer.receive(percepts, std::chrono::milliseconds(250))) return now;
+                break;
             } catch (const net::NetError&) {
-                continue;  // the server had not yet read its scene
+                continue;  // its robot is not yet there to sense anything
             }
-            read_up_to(percepts.time);
-            return now_;
         }
         ADD_FAILURE() << "no frame within 100 cycles";
         return 0.0;
     }
 
   private:
-    /// Frames that came before it was waited for may still lie unread: then each tick reads an old
-    /// one.
-    void read_up_to(double time) {
+    /// The server must not be given one (syn) too many, nor may a frame lie unread: from then on
+    /// each tick would give an old one. So it gets none at all until it waits for one, in the cycle
+    /// after the one that gives us our seat.
+    void take_seat(const ServerProcess& server) {
         wire::Percepts percepts;
-        while (now_ < time - 1e-9 && agent_.receive(percepts)) now_ = percepts.time;
+        agent_.send("(scene rsg/agent/nao/nao.rsg)");
+        for (int frame = 0; frame < 5; ++frame) EXPECT_TRUE(agent_.receive(percepts));
+        agent_.send("(init (unum 2)(teamname Alpha))");
+        const auto deadline = std::chrono::steady_clock::now() + kPatience;
+        while (server.log().find("is left.2 of team") == std::string::npos) {
+            if (std::chrono::steady_clock::now() > deadline) throw std::runtime_error("no seat");
+            std::this_thread::sleep_for(std::chrono::milliseconds(5));
+        }
+        agent_.send("(syn)");
+        // All that the server sent while it did not wait, and at last the answer.
+        while (agent_.receive(percepts) && !percepts.game->unum) {
+        }
     }
 
     WireAgent agent_;
-    double now_ = 0.0;
 };
 
 class Grammar : public ::testing::TestWithParam<int> {};
 
 TEST_P(Grammar, OfTheFirstFramesIsTheRecordedOne) {
     const int type = GetParam();
-    ServerProcess server({"--pace", "fast"});
-    Metronome metronome(server);
+    // With a clock there are few frames before it waits for anybody.
+    ServerProcess server({"--pace", "sync"});
     WireAgent agent(server);
+    Metronome metronome(server);
     wire::Percepts percepts;
     agent.send("(scene rsg/agent/nao/nao_hetero.rsg " + std::to_string(type) + ")(syn)");
     const double now = metronome.tick_until_answered(agent, percepts);
-    ASSERT_NEAR(percepts.time, now, 1e-9) << "a frame came late";
+    ASSERT_NEAR(percepts.time, now, 1e-9) << "of another cycle";
     std::vector<std::string> ours{agent.last_payload()};
     while (ours.size() < 8) {
         agent.send(ours.size() == 1 ? "(init (unum 1)(teamname Alpha))(syn)" : "(syn)");

@@ -111,6 +111,7 @@ struct Course {
     int cycles = 0;
     std::string state_hash;
     std::string log;
+    std::chrono::duration<double> wall{};
 };
 
 using Mischief = std::function<void(int cycle)>;
@@ -119,6 +120,7 @@ Course play(const std::function<Mischief(const ServerProcess&)>& strangers) {
     const auto results = std::filesystem::temp_directory_path() /
                          ("k3d-hostile-" + std::to_string(getpid()) + ".jsonl");
     std::filesystem::remove(results);
+    const auto begin = std::chrono::steady_clock::now();
     ServerProcess server({"--game", "keepaway", "--pace", "fast", "--keepers", "1", "--takers", "1",
                           "--left-team", "Keepers", "--seed", "5", "--set", "keepaway.limit=2",
                           "--results", results.string()});
@@ -159,6 +161,7 @@ Course play(const std::function<Mischief(const ServerProcess&)>& strangers) {
     std::getline(file, line);
     course.state_hash = episode::from_line(line).state_hash;
     course.log = server.log();
+    course.wall = std::chrono::steady_clock::now() - begin;
     std::filesystem::remove(results);
     return course;
 }
@@ -190,13 +193,15 @@ TEST(Hostile, AMatchTakesTheCourseItWouldTakeWithoutStrangers) {
     for (const char* said : {"bytes announced, limit 65536", "in one cycle, limit", "lines about peers left out"}) {
         EXPECT_NE(disturbed.log.find(said), std::string::npos) << said;
     }
-    EXPECT_LT(lines_with(disturbed.log, "\n"), 2000) << "strangers cannot fill the disk";
+    // Two ports, and for each twenty lines a second of comings and goings and as many warnings.
+    EXPECT_LT(lines_with(disturbed.log, "\n"), 200 + 100 * disturbed.wall.count())
+        << "strangers cannot fill the disk";
 }
 
 TEST(Hostile, StrangersOfASoccerMatchHoldNobodyUp) {
-    ServerProcess server({"--pace", "fast", "--hung-agent-s", "600"});
+    ServerProcess server(fast_with_one_agent({"--hung-agent-s", "600"}));
     WireAgent good(server);
-    good.join(1, "Reds");
+    good.begin_match("Reds");
     WireAgent no_seat(server);
     no_seat.send("(scene rsg/agent/nao/nao.rsg)");
     WireAgent refused(server);
@@ -208,21 +213,23 @@ TEST(Hostile, StrangersOfASoccerMatchHoldNobodyUp) {
 }
 
 TEST(Hostile, WhoNeverTakesASeatIsDisconnected) {
-    ServerProcess server({"--pace", "sync", "--set", "network.handshake=2"});
+    // The seat must be ours before that, and this machine may have much to do.
+    ServerProcess server({"--pace", "sync", "--set", "network.handshake=6"});
+    WireAgent good(server);
+    good.join(1, "Reds");
     RawSocket silent(server.agent_port());
     RawSocket robot_only(server.agent_port());
     robot_only.write(framed("(scene rsg/agent/nao/nao.rsg)"));
-    WireAgent good(server);
-    good.join(1, "Reds");
-    const auto closed = [](RawSocket& socket) { return socket.closed_by_peer(std::chrono::milliseconds(1)); };
-    bool gone = false;
-    for (int i = 0; i < 1500 && !gone; ++i) {
-        good.step();
-        gone = closed(silent);
+    // Who is late is found out in a cycle, and cycles wait for the good one.
+    for (RawSocket* late : {&silent, &robot_only}) {
+        const auto deadline = std::chrono::steady_clock::now() + kPatience;
+        bool gone = false;
+        while (!gone && std::chrono::steady_clock::now() < deadline) {
+            good.step();
+            gone = late->closed_by_peer(std::chrono::milliseconds(1));
+        }
+        EXPECT_TRUE(gone);
     }
-    EXPECT_TRUE(gone);
-    good.step();
-    EXPECT_TRUE(robot_only.closed_by_peer(kPatience));
     good.step();
     EXPECT_EQ(lines_with(server.log(), "left: no seat after"), 2) << server.log();
 }

@@ -8,7 +8,7 @@
 #include <array>
 #include <filesystem>
 #include <fstream>
-#include <map>
+#include <iterator>
 #include <set>
 #include <sstream>
 
@@ -76,35 +76,25 @@ Flags operator+(Flags a, const Flags& b) {
     return a;
 }
 
-/// Programs of a process's children by pid, read from /proc.
-std::map<int, std::string> children_of(pid_t parent) {
-    std::map<int, std::string> found;
-    for (const auto& entry : std::filesystem::directory_iterator("/proc")) {
-        std::ifstream status(entry.path() / "status");
-        std::string line, name;
-        int ppid = 0;
-        while (std::getline(status, line)) {
-            if (line.rfind("Name:\t", 0) == 0) name = line.substr(6);
-            if (line.rfind("PPid:\t", 0) == 0) ppid = std::stoi(line.substr(6));
-        }
-        if (ppid == parent) found[std::stoi(entry.path().filename().string())] = name;
-    }
-    return found;
-}
-
 TEST_F(Match, EachEpisodeHasSixProcessesOfItsOwn) {
-    process::Child child = start("six", Flags{"--episodes", "2", "--seed", "5"} + kShort);
-    std::set<int> servers, agents;
-    const auto deadline = std::chrono::steady_clock::now() + kMatchPatience;
-    while (!child.poll() && std::chrono::steady_clock::now() < deadline) {
-        for (const auto& [pid, name] : children_of(child.pid())) {
-            if (name == "k3d-server") servers.insert(pid);
-            if (name == "k3d-agent") agents.insert(pid);
-        }
-        child.wait(std::chrono::milliseconds(20));
+    std::ofstream programs(file("programs.toml"));
+    for (const std::string name : {"server", "agent"}) {
+        const std::string wrapper = file(name);
+        std::ofstream(wrapper) << "#!/bin/sh\necho $$ >> " << wrapper << ".pids\nexec " K3D_BIN_DIR
+                               << "/k3d-" << name << " \"$@\"\n";
+        std::filesystem::permissions(wrapper, std::filesystem::perms::owner_all);
+        programs << name << "_program = \"" << wrapper << "\"\n";
     }
-    EXPECT_EQ(servers.size(), 2U) << "fresh for each of the two episodes";
-    EXPECT_EQ(agents.size(), 10U);
+    programs.close();
+    const auto lines = play(
+        "six", Flags{"--episodes", "2", "--seed", "5", "--config", file("programs.toml")} + kShort);
+    EXPECT_EQ(lines.size(), 2U);
+    const auto started = [&](const std::string& name) {
+        std::istringstream pids(text(name + ".pids"));
+        return std::set<int>(std::istream_iterator<int>(pids), {});
+    };
+    EXPECT_EQ(started("server").size(), 2U) << "fresh for each of the two episodes";
+    EXPECT_EQ(started("agent").size(), 10U);
 }
 
 TEST_F(Match, SameSeedSameLinesWhateverTheJobsAndProcessesAndAnotherSeedOthers) {

@@ -35,9 +35,9 @@ TEST(Protocol, HandshakeTellsTeamAndNumberOnce) {
 }
 
 TEST(Protocol, NeckTurnsAtFullSpeedTwoFramesAfterTheCommand) {
-    ServerProcess server({"--pace", "fast"});
+    ServerProcess server(fast_with_one_agent());
     WireAgent agent(server);
-    agent.join(1, "Reds");
+    agent.begin_match("Reds");
     for (int i = 0; i < 60; ++i) agent.step();  // lands and settles
     // The command answers frame k; frame k+1 was sensed before it acts, frame k+2 shows it.
     EXPECT_NEAR(joint_deg(agent.step("(he1 6.1395)"), nao::JointId::HeadYaw), 0.0, 0.02);
@@ -50,9 +50,9 @@ TEST(Protocol, NeckTurnsAtFullSpeedTwoFramesAfterTheCommand) {
 }
 
 TEST(Protocol, StandingRobotFeelsItsWeight) {
-    ServerProcess server({"--pace", "fast", "--ground-truth"});
+    ServerProcess server(fast_with_one_agent({"--ground-truth"}));
     WireAgent agent(server);
-    agent.join(1, "Reds");
+    agent.begin_match("Reds");
     wire::Percepts percepts;
     double head = 0.0;
     for (int i = 0; i < 150; ++i) {
@@ -66,9 +66,9 @@ TEST(Protocol, StandingRobotFeelsItsWeight) {
 }
 
 TEST(Protocol, TrainerMovesTheRobotToFaceTheGoal) {
-    ServerProcess server({"--pace", "fast", "--ground-truth"});
+    ServerProcess server(fast_with_one_agent({"--ground-truth"}));
     WireAgent agent(server);
-    agent.join(1, "Reds");
+    agent.begin_match("Reds");
     net::Client trainer("127.0.0.1", server.trainer_port(), kPatience);
     trainer.send("(playMode PlayOn)(agent (unum 1)(team Left)(move 0 0 0.4 -90))");
     trainer.send("(ball (pos 1 2 0.05) (vel 0 0 0))");
@@ -87,9 +87,9 @@ TEST(Protocol, TrainerMovesTheRobotToFaceTheGoal) {
 }
 
 TEST(Protocol, BeamPlacesTheRobotInItsOwnHalf) {
-    ServerProcess server({"--pace", "fast", "--ground-truth", "--noise", "off"});
+    ServerProcess server(fast_with_one_agent({"--ground-truth", "--noise", "off"}));
     WireAgent agent(server);
-    agent.join(2, "Reds");
+    agent.begin_match("Reds");
     wire::Percepts percepts = agent.step("(beam -3 1 20)");
     std::optional<wire::See> see;
     for (int i = 0; i < 60; ++i) {
@@ -143,9 +143,9 @@ TEST(Protocol, OneMateIsHeardEverySecondCycleAndTheFirstSpeakerWins) {
 }
 
 TEST(Protocol, FramesToAnAgentCarryNoGroundTruthUnlessAsked) {
-    ServerProcess server({"--pace", "fast"});
+    ServerProcess server(fast_with_one_agent());
     WireAgent agent(server);
-    agent.join(1, "Reds");
+    agent.begin_match("Reds");
     for (int i = 0; i < 100; ++i) {
         agent.step();
         for (const char* truth : {"mypos", "myorien", "ballpos"}) {

@@ -5,7 +5,9 @@
 //
 //     quick_episode --results FILE --seed N ...   the server; leaves a file named after its pid in
 //                                                 $K3D_QUICK_FOLDER while it runs, and for good
-//                                                 a line with FILE in $K3D_QUICK_FOLDER.started
+//                                                 a line with FILE in $K3D_QUICK_FOLDER.started;
+//                                                 takes its time while there is a file
+//                                                 $K3D_QUICK_FOLDER.slow
 //     quick_episode --unum N --port P ...         an agent, or several with --and between them
 //     quick_episode --print-fields                what k3d-agent says
 #include <arpa/inet.h>
@@ -14,6 +16,7 @@
 
 #include <cmath>
 #include <cstdlib>
+#include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <map>
@@ -26,6 +29,7 @@
 namespace {
 
 constexpr int kSteps = 5;
+constexpr int kSlow = 4;  ///< times as long
 
 struct Flags {
     std::map<std::string, std::string> words;
@@ -88,7 +92,10 @@ int serve(const Flags& flags) {
     result.state_hash = "0123456789abcdef";
     result.code_version = "quick";
     const int step_us = 10000 + stream.below(30000);
-    for (int i = 0; i < kSteps; ++i) ::usleep(static_cast<useconds_t>(step_us));
+    for (int i = 0; i < kSteps; ++i) {
+        const bool slow = std::filesystem::exists(folder + ".slow");
+        ::usleep(static_cast<useconds_t>(slow ? kSlow * step_us : step_us));
+    }
     std::ofstream(flags.at("--results"), std::ios::app) << k3d::episode::to_line(result) << '\n';
     for (const int agent : agents) ::close(agent);
     ::unlink(mark.c_str());

@@ -134,9 +134,9 @@ TEST_F(Recording, ARealTimeRunOfWhoComesAndGoesReplays) {
 
 TEST_F(Recording, WhatAKilledServerLeavesReplays) {
     const std::string recording = file("killed.rec");
-    ServerProcess server({"--pace", "fast", "--record", recording});
+    ServerProcess server(fast_with_one_agent({"--record", recording}));
     WireAgent agent(server);
-    agent.join(1, "Reds");
+    agent.begin_match("Reds");
     for (int i = 0; i < 200; ++i) agent.step("(rae1 1)");
     ::kill(server.child().pid(), SIGKILL);
     server.child().wait(kPatience);

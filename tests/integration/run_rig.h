@@ -79,6 +79,10 @@ class RunRig : public ::testing::Test {
         }
         return reached();
     }
+    /// Until the second, episodes take their time: a run must not end before what it is to suffer.
+    void slow_episodes() const { write("quick.slow", ""); }
+    void quick_episodes() const { std::filesystem::remove(path("quick.slow")); }
+
     /// An episode is being played, so daemon or worker have nothing more to set up.
     bool plays() const { return !std::filesystem::is_empty(path("quick")); }
     bool tells(const std::string& log, const std::string& words) const {

@@ -61,6 +61,7 @@ TEST_F(Runs, AKilledDaemonGoesOnWhereItWas) {
     ASSERT_EQ(run({"run", path("exp.toml"), "--run", path("calm"), "--jobs", "4"}, "calm.log"), 0);
     std::vector<std::string> words{"run", path("exp.toml"), "--run", path("hit"), "--jobs", "4"};
     std::string before;
+    slow_episodes();
     for (int kills = 0; kills < 5; ++kills) {
         const std::string played = started();
         process::Child daemon = start(words, "hit.log");
@@ -76,6 +77,7 @@ TEST_F(Runs, AKilledDaemonGoesOnWhereItWas) {
         expect_not_played(before, played);
         before = now;
     }
+    quick_episodes();
     const std::string played = started();
     ASSERT_EQ(run(words, "hit.log"), 0) << content("hit.log");
     expect_not_played(before, played);

@@ -35,6 +35,12 @@ std::uint16_t to_port(const std::string& text) { return static_cast<std::uint16_
 
 }  // namespace
 
+std::vector<std::string> fast_with_one_agent(std::vector<std::string> more) {
+    std::vector<std::string> flags{"--pace", "fast", "--set", "pace.lobby_left=1"};
+    flags.insert(flags.end(), more.begin(), more.end());
+    return flags;
+}
+
 ServerProcess::ServerProcess(std::vector<std::string> flags)
     : log_file_(fresh_log_file()), child_(spawn(std::move(flags), log_file_)) {
     const auto ready = child_.wait_ready(kPatience);
@@ -63,7 +69,16 @@ wire::Percepts WireAgent::join(int unum, const std::string& team, int type) {
     EXPECT_TRUE(receive(percepts));
     percepts = step("(init (unum " + std::to_string(unum) + ")(teamname " + team + "))");
     for (int i = 0; i < kMostFramesToSeat && !percepts.game->unum; ++i) percepts = step();
+    if (!percepts.game->unum) ADD_FAILURE() << "no seat within " << kMostFramesToSeat << " frames";
     return percepts;
+}
+
+void WireAgent::begin_match(const std::string& team) {
+    join(1, team);
+    // The lobby gives five answers, one for each frame, and the match begins with the sixth frame.
+    constexpr int kLobbyPercepts = 5;
+    constexpr int kOfJoin = 2;
+    for (int i = kOfJoin; i < kLobbyPercepts + 1; ++i) step();
 }
 
 wire::Percepts WireAgent::step(const std::string& commands) {

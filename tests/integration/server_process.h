@@ -16,9 +16,14 @@ namespace k3d::testing {
 
 inline constexpr std::chrono::seconds kPatience{30};
 
-/// Who has no seat yet is waited for by nobody: on a busy machine so many frames of 20 ms may lie in its
-/// socket before the one that answers its init.
+/// Nobody waits for who has no seat yet: so many frames may lie in its socket before the one that
+/// answers its init. In sync and realtime they are ten seconds of a busy machine; at a fast pace
+/// thousands come in a second, and a test wants fast_with_one_agent().
 inline constexpr int kMostFramesToSeat = 500;
+
+/// Flags of a fast server that goes on when its one agent has answered, and only then: it stands
+/// still in its lobby until that one is waited for, see WireAgent::begin_match().
+std::vector<std::string> fast_with_one_agent(std::vector<std::string> more = {});
 
 /// Started on free ports, ended with the object.
 class ServerProcess {
@@ -48,6 +53,9 @@ class WireAgent {
     bool receive(wire::Percepts& percepts, std::chrono::milliseconds patience = kPatience);
     /// scene, percept, init; returns once the frame with the team has come.
     wire::Percepts join(int unum, const std::string& team, int type = 0);
+    /// Joins fast_with_one_agent() as number 1, and goes on to the match's first frame: in the
+    /// lobby joint rates, beams and trainers' commands are dropped.
+    void begin_match(const std::string& team);
     /// Sends the commands with (syn) and reads the next frame.
     wire::Percepts step(const std::string& commands = "");
     const std::string& last_payload() const { return payload_; }

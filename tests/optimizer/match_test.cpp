@@ -117,8 +117,13 @@ TEST_F(Match, AnotherSeedsLineIsNoResult) {
 }
 
 TEST_F(Match, ALostAgentIsNamedWithItsLastWords) {
-    agents_play("[ $role$unum = keeper2 ] && { echo leg broken; exit 7; }; kick; until_end");
-    server_plays("sleep 0.5; status=agent_lost; result >> $results; exit 3");
+    agents_play(
+        "[ $role$unum = keeper2 ] && { echo leg broken; echo $$ > $base/gone; exit 7; }; "
+        "kick; until_end");
+    // It goes when the agent has been reaped: until then there is somebody of its number.
+    server_plays(
+        "until [ -s $base/gone ] && ! kill -0 $(cat $base/gone) 2>/dev/null; do sleep 0.02; done; "
+        "status=agent_lost; result >> $results; exit 3");
     EXPECT_EQ(one_failure(),
               "agent_lost: ball_out; first to go: keeper 2: exit code 7: leg broken");
 }
@@ -163,6 +168,8 @@ TEST_F(Match, AMissingProgramIsNamed) {
 
 TEST_F(Match, ForeignProgramsTakeSeatsAndNeedNotNoticeTheEnd) {
     script("theirs", "echo $* >> $base/seats; exec sleep 600");
+    server_plays(
+        "until [ \"$(grep -cs . $base/seats)\" = 2 ]; do sleep 0.02; done; result >> $results");
     spec_.keeper_command = base_ + "/theirs '{team} {unum}' {host}";
     const report::Run run = play();
     EXPECT_EQ(run.results.at(0).attempts, std::nullopt);

@@ -13,15 +13,15 @@ const flags = [
   "--enable-unsafe-swiftshader",  // WebGL without a graphics card
 ];
 
-/** Starts `program` and opens `url`; resolves to a Page. */
-export async function openPage(program, url, {width = 1280, height = 800} = {}) {
+/** Starts `program`; resolves to a Page that shows nothing yet. */
+export async function startChromium(program, {width = 1280, height = 800} = {}) {
   const profile = mkdtempSync(join(tmpdir(), "k3d-chromium-"));
   const child = spawn(
     program, [...flags, `--window-size=${width},${height}`, `--user-data-dir=${profile}`],
     {stdio: ["ignore", "ignore", "ignore", "pipe", "pipe"]});
   const page = new Page(child, profile);
   try {
-    await page.open(url, width, height);
+    await page.attach(width, height);
   } catch (error) {
     await page.close();
     throw error;
@@ -33,7 +33,7 @@ class Page {
   constructor(child, profile) {
     this.child = child;
     this.profile = profile;
-    this.errors = [];  // of the console, of scripts, of loading
+    this.errors = [];  // of the page's console, of its scripts, of loading it
     this.waiting = new Map();
     this.loaded = new Map();  // loader -> what to call once its document is whole
     this.last = 0;
@@ -101,13 +101,18 @@ class Page {
     return this.loaded.get(loader);
   }
 
-  async open(url, width, height) {
+  async attach(width, height) {
     const {targetId} = await this.send("Target.createTarget", {url: "about:blank"});
     this.session = (await this.send("Target.attachToTarget", {targetId, flatten: true})).sessionId;
     for (const domain of ["Runtime", "Log", "Page"]) await this.send(`${domain}.enable`);
     await this.send(
       "Emulation.setDeviceMetricsOverride", {width, height, deviceScaleFactor: 1, mobile: false});
     await this.send("Page.setLifecycleEventsEnabled", {enabled: true});
+  }
+
+  /** Shows `url`; from then on `errors` are those of its page. */
+  async open(url) {
+    this.errors = [];
     const {errorText, loaderId} = await this.send("Page.navigate", {url});
     if (errorText) throw new Error(`cannot open ${url}: ${errorText}`);
     await this.whole(loaderId).promise;
@@ -122,10 +127,12 @@ class Page {
     return result.value;
   }
 
-  /** Waits until the expression is true; `what` names it if it never is. */
+  /** Waits until the expression is true, and gives its value; `what` names it if it never is. */
   async until(what, expression, seconds = 60) {
     const end = Date.now() + seconds * 1000;
-    while (!(await this.value(expression))) {
+    for (;;) {
+      const value = await this.value(expression);
+      if (value) return value;
       if (Date.now() > end)
         throw new Error(
           `not within ${seconds} s: ${what}; errors: ${this.errors.join("; ") || "none"}`);

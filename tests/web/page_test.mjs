@@ -14,7 +14,7 @@ import {join} from "node:path";
 import {createInterface} from "node:readline";
 import {parseArgs} from "node:util";
 
-import {openPage} from "./chromium.mjs";
+import {startChromium} from "./chromium.mjs";
 import {decodePng} from "./png.mjs";
 
 const string = {
@@ -64,26 +64,33 @@ const isRing = (r, g, b) =>
 
 const distance = (a, b) => Math.hypot(...a.map((v, i) => v - b[i]));
 
+/** As soon as there is such a one: while a match's next server waits for its players, no robots are. */
 async function follow(page, name) {
-  await page.value(`k3d.choose(${JSON.stringify(name)})`);
+  const wanted = JSON.stringify(name);
+  await page.until(
+    `${name} is followed`, `(k3d.choose(${wanted}), k3d.camera === ${wanted})`, patience);
   const frames = await page.value("k3d.frames");
   await page.until(`two more frames of ${name}`, `k3d.frames > ${frames + 2}`, patience);
 }
 
-async function checkMoving(page, wanted) {
-  const read = () =>
-    page.value("({ robots: k3d.robotPositions, ball: k3d.ballPosition, time: k3d.time })");
-  const before = await read();
+/** `wanted` of so many robots move, and the ball, in the course of one episode. */
+async function checkMoving(page, robots, wanted) {
+  const read = () => page.value(
+    "({ robots: k3d.robotPositions, ball: k3d.ballPosition, time: k3d.time, episode: k3d.episode })");
   const end = Date.now() + patience * 1000;
   let moved = 0;
   let rolled = 0;
+  let before = await read();
   let now = before;
   while (Date.now() < end && (moved < wanted || rolled < 0.05)) {
     await new Promise((resolve) => setTimeout(resolve, 100));
     now = await read();
+    // Between two episodes there are no robots, and the next one's stand elsewhere.
+    if (before.robots.length !== robots || now.robots.length !== robots ||
+        now.episode !== before.episode)
+      before = now;
     moved =
-      now.robots.filter((position, i) => distance(position, before.robots[i] ?? position) > 0.05)
-        .length;
+      now.robots.filter((position, i) => distance(position, before.robots[i]) > 0.05).length;
     rolled = distance(now.ball, before.ball);
   }
   check(
@@ -93,12 +100,14 @@ async function checkMoving(page, wanted) {
 }
 
 /**
- * Pictures of what is followed until one looks right, or patience ends; what the last one shows. The browser
- * of a busy machine may hand out an older picture than its page has drawn.
+ * Follows it and takes pictures until one looks right, or patience ends; what the last one shows. The
+ * browser of a busy machine may hand out an older picture than its page has drawn, and at a match's
+ * next episode the page stops following.
  */
-async function look(page, file, countIn, looksRight) {
+async function look(page, name, file, countIn, looksRight) {
   const end = Date.now() + patience * 1000;
   for (;;) {
+    await follow(page, name);
     const found = countIn(await save(page, file));
     if (looksRight(found) || Date.now() > end) return found;
     await new Promise((resolve) => setTimeout(resolve, 250));
@@ -107,41 +116,56 @@ async function look(page, file, countIn, looksRight) {
 
 async function checkDrawn(page, robots) {
   for (const [index, robot] of robots.entries()) {
-    await follow(page, `robot ${index + 1}`);
     const colour = robot.team === "left" ? isBlue : isRed;
     const enough = (pixels) => pixels > 1500;
     const pixels = await look(
-      page, `robot-${robot.team}-${robot.number}.png`, (picture) => count(picture, 120, colour),
-      enough);
+      page, `robot ${index + 1}`, `robot-${robot.team}-${robot.number}.png`,
+      (picture) => count(picture, 120, colour), enough);
     check(
       `robot ${robot.team} ${robot.number} is drawn: ${pixels} pixels of its colour`,
       enough(pixels));
   }
-  await follow(page, "ball");
   const enough = ([white, ring]) => white > 200 && ring > 500;
   const seen = await look(
-    page, "ball.png", (picture) => [isWhite, isRing].map((colour) => count(picture, 120, colour)),
-    enough);
+    page, "ball", "ball.png",
+    (picture) => [isWhite, isRing].map((colour) => count(picture, 120, colour)), enough);
   check(
     `the ball is drawn: ${seen[0]} white pixels, ${seen[1]} of the ring around it`, enough(seen));
+}
+
+/**
+ * Opens the page. Between two episodes of a match there is no server, or one ends while it sends the
+ * page: then it is opened again.
+ */
+async function openPage(page, url) {
+  const end = Date.now() + patience * 1000;
+  for (;;) {
+    try {
+      await page.open(url);
+      if (await page.value("window.k3d !== undefined")) return;
+      throw new Error(`${url} has no k3d; errors: ${page.errors.join("; ") || "none"}`);
+    } catch (error) {
+      if (option.demo || Date.now() > end) throw error;
+    }
+    await new Promise((resolve) => setTimeout(resolve, 250));
+  }
 }
 
 /** What must be seen whoever serves the page. */
 async function checkScene(page) {
   const wanted = Number(option.robots ?? 5);
-  await page.until(
-    `${wanted} robots`, `window.k3d?.state === "live" && k3d.robots.length === ${wanted}`,
+  const robots = await page.until(
+    `${wanted} robots`, `k3d.state === "live" && k3d.robots.length === ${wanted} && k3d.robots`,
     patience);
-  const robots = await page.value("k3d.robots");
   const teams = robots.map(({team, number}) => `${team} ${number}`).join(", ");
   check(`${robots.length} robots: ${teams}`, robots.every(({parts}) => parts >= 22));
   await follow(page, "overview");
   await save(page, "overview.png");
-  await checkMoving(page, Number(option.moving ?? wanted));
+  await checkMoving(page, wanted, Number(option.moving ?? wanted));
   await checkDrawn(page, robots);
   await page.key("t");
-  await follow(page, "top");
   check("keys choose the camera", (await page.value("k3d.camera")) === "top");
+  await follow(page, "top");
   await save(page, "top.png");
   const shown =
     await page.value("[...document.querySelectorAll('.board b')].map((b) => b.textContent)");
@@ -199,7 +223,7 @@ async function checkRestart(page, demo, port) {
     check("the page finds the next server by itself", true);
     check("it goes on following the same robot", (await page.value("k3d.camera")) === "robot 5");
     await page.value("k3d.choose('overview')");
-    await checkMoving(page, 5);
+    await checkMoving(page, 5, 5);
   } finally {
     await next.end();
   }
@@ -221,18 +245,19 @@ async function main() {
   if ([option.demo, option.match, option.url].filter(Boolean).length !== 1)
     throw new Error("give one of --demo, --match and --url");
   mkdirSync(out, {recursive: true});
-  const demo = option.demo ? startDemo(0, 0) : null;
-  const shown = demo ?? (option.match ? startMatch() : null);
-  let page = null;
+  // The browser may take its time to start; a match goes on meanwhile.
+  const page = await startChromium(option.chromium ?? "/usr/bin/chromium");
+  let shown = null;
   try {
+    const demo = option.demo ? startDemo(0, 0) : null;
+    shown = demo ?? (option.match ? startMatch() : null);
     const port = await shown?.ready;
-    page = await openPage(
-      option.chromium ?? "/usr/bin/chromium", option.url ?? `http://127.0.0.1:${port}/`);
+    await openPage(page, option.url ?? `http://127.0.0.1:${port}/`);
     await checkScene(page);
     if (demo) await checkRestart(page, demo, port);
     if (option.match) await checkBeliefs(page);
   } finally {
-    await page?.close();
+    await page.close();
     await shown?.end();
   }
 }

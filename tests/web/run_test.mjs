@@ -10,7 +10,7 @@ import {createInterface} from "node:readline";
 import {pathToFileURL} from "node:url";
 import {parseArgs} from "node:util";
 
-import {openPage} from "./chromium.mjs";
+import {startChromium} from "./chromium.mjs";
 import {decodePng} from "./png.mjs";
 
 const string = {
@@ -66,9 +66,9 @@ function startRun(folder) {
   return {port, ended, lines, end: () => (child.kill("SIGINT"), ended)};
 }
 
-async function lookAtPage(port) {
-  const page = await openPage(chromium, `http://127.0.0.1:${port}/`);
+async function lookAtPage(page, port) {
   try {
+    await page.open(`http://127.0.0.1:${await port}/`);
     await page.until("the run's page is live", "globalThis.run?.course && run.status", patience);
     await page.until("a closed generation on the page", "run.course.champion !== null", patience);
     await page.until("plots", "document.querySelectorAll('.uplot canvas').length >= 4", patience);
@@ -91,8 +91,9 @@ async function lookAtReport(folder) {
   const report = join(folder, "report", "report.html");
   check("there is a report", existsSync(report));
   check("it needs nothing beside it", !/<(script|link|img)|src=|url\(/.test(readFileSync(report)));
-  const page = await openPage(chromium, pathToFileURL(report).href, {width: 1200, height: 2400});
+  const page = await startChromium(chromium, {width: 1200, height: 2400});
   try {
+    await page.open(pathToFileURL(report).href);
     const titles =
       await page.value("[...document.querySelectorAll('svg .title')].map((t) => t.textContent)");
     check(
@@ -120,9 +121,11 @@ async function main() {
   mkdirSync(out, {recursive: true});
   const folder = join(out, `run-${process.pid}`);
   rmSync(folder, {recursive: true, force: true});
+  // The browser may take longer to start than the run takes in all.
+  const page = await startChromium(chromium);
   const run = startRun(folder);
   try {
-    await lookAtPage(await run.port);
+    await lookAtPage(page, run.port);
     const code = await run.ended;
     check(`the run ends: ${run.lines.at(-1)}`, code === 0);
     await lookAtReport(folder);

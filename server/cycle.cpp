@@ -13,6 +13,7 @@ void Simulation::run_cycle() {
     stages_.enter(Stage::Wire);
     // 1. Commands that have arrived: joint rates, say and syn act at once. By pace, wait for all.
     read_commands();
+    if (cut_short_) return;
     // 2. The percepts generated at the end of the cycle before.
     send_percepts();
     stages_.enter(Stage::Rules);
@@ -44,6 +45,7 @@ void Simulation::read_commands() {
     } else {
         await_inputs();
     }
+    if (cut_short_) return;
     drop_closed_agents();
     for (const auto& agent : agents_) {
         agent->read_frames(notices_);
@@ -56,13 +58,20 @@ void Simulation::await_inputs() {
     pacer_.wait_for_clock(loop_);
     if (pacer_.waits_for_agents()) doze();
     if (!pacer_.waits_for_agents() ||
-        pacer_.wait_for_agents(loop_, [this] { return everybody_synced(); })) {
+        pacer_.wait_for_agents(loop_, [this] { return all_have_come(); })) {
         return;
     }
     for (const auto& agent : agents_) {
         if (agent->waited_for() && !agent->synced) lose(*agent, "hung");
     }
     if (serves_monitors()) monitors_.close_hung();
+}
+
+/// Or the wait is to end without them: a cycle that some have no part in would be none of the
+/// match.
+bool Simulation::all_have_come() {
+    cut_short_ = *stop_ != 0;
+    return cut_short_ || everybody_synced();
 }
 
 /// Agents get their frames in order, so the last one's reply mostly is the last: waking once for it costs a

@@ -77,6 +77,7 @@ class Simulation {
     void run_cycle();
     void read_commands();
     void await_inputs();
+    bool all_have_come();
     void doze();
     void replay_inputs();
     void begin_input_cycle();
@@ -152,6 +153,8 @@ class Simulation {
     bool lobby_ = false;
     net::Clock::time_point lobby_since_;
     net::Clock::time_point lobby_cycle_;  ///< when input last began to count anew there
+    const volatile int* stop_ = nullptr;  ///< set by a signal's handler, in a live run
+    bool cut_short_ = false;              ///< stopped while it waited: this cycle is not played
     bool end_ = false;
     Outcome outcome_ = Outcome::Done;
 };

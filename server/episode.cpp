@@ -104,6 +104,7 @@ std::string Simulation::open_ports() {
 }
 
 Outcome Simulation::run(const volatile int& stop) {
+    stop_ = &stop;
     while (!end_ && stop == 0) step();
     if (!end_) outcome_ = Outcome::Stopped;
     if (recorder_) recorder_->end(static_cast<int>(outcome_));
@@ -117,7 +118,7 @@ void Simulation::step() {
     } else {
         run_cycle();
     }
-    if (recorder_) recorder_->end_step(state_digest());
+    if (recorder_ && !cut_short_) recorder_->end_step(state_digest());
 }
 
 std::uint64_t Simulation::state_digest() const {

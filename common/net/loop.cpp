@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+
 #include "common/net/loop_impl.h"
 
 namespace k3d::net {
@@ -10,6 +12,7 @@ namespace {
 
 /// Handlers run in one go; a round over some hundred busy sockets.
 constexpr int kBatch = 500;
+constexpr std::chrono::milliseconds kLongestSleep{100};
 
 }  // namespace
 
@@ -24,9 +27,10 @@ bool Loop::wait(Clock::time_point deadline, const std::function<bool()>& done) {
     const auto work = boost::asio::make_work_guard(impl_->io);
     poll();
     while (!done()) {
-        if (Clock::now() >= deadline) return false;
+        const auto now = Clock::now();
+        if (now >= deadline) return false;
         impl_->io.restart();
-        impl_->io.run_one_until(deadline);
+        impl_->io.run_one_until(std::min(deadline, now + kLongestSleep));
         poll();
     }
     return true;

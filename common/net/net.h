@@ -45,7 +45,8 @@ class Loop {
 
     /// Runs what is ready now, but not for ever: peers may send faster than we read.
     void poll();
-    /// Runs handlers until `done()` holds (true) or the deadline passes (false).
+    /// Runs handlers until `done()` holds (true) or the deadline passes (false). It is asked ten
+    /// times a second and more, so that it may look at what no socket tells, such as a signal.
     bool wait(Clock::time_point deadline, const std::function<bool()>& done);
 
     struct Impl;

@@ -327,5 +327,12 @@ TEST(Net, WaitKeepsItsDeadlineWithNothingToDo) {
     EXPECT_TRUE(loop.wait(start, [] { return true; })) << "a deadline in the past still looks once";
 }
 
+TEST(Net, AsksAgainThoughNothingHappens) {
+    Loop loop;
+    const auto start = Clock::now();
+    EXPECT_TRUE(loop.wait(start + 60s, [&] { return Clock::now() > start + 150ms; }));
+    EXPECT_LT(Clock::now() - start, 30s) << "a signal's flag would not be seen";
+}
+
 }  // namespace
 }  // namespace k3d::net

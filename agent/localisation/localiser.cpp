@@ -46,13 +46,6 @@ void Localiser::reset() {
     location_ = Location{};
 }
 
-void Localiser::reset(const Pose2& pose, double position_sd, double yaw_sd) {
-    reset();
-    estimate_ = about(pose, position_sd, yaw_sd);
-    found_ = true;
-    report();
-}
-
 const Location& Localiser::update(const perception::View* view, const Pose2& odometry, bool upright,
                                   wire::Side side, double dt) {
     if (side == wire::Side::None) return location_;

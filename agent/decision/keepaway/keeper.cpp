@@ -92,8 +92,8 @@ Keeper::Keeper(const KeeperSettings& settings, Policy policy, const skills::Kick
 Decision Keeper::decide(const world::Beliefs& b, const motion::State& body,
                         std::span<const talk::Report> reports) {
     if (!home_)
-        home_ = b.self.localised ? b.self.pose.position : birth_place(b.game.unum, settings_.keepaway);
-    if (body.kick_started) ++kicks_;
+        home_ =
+            b.self.localised ? b.self.pose.position : birth_place(b.game.unum, settings_.keepaway);
 
     Assignment part = roles_.update(b, reports, settings_.keeper);
     Decision d;
@@ -123,7 +123,6 @@ Decision Keeper::decide(const world::Beliefs& b, const motion::State& body,
     m.claims_k1 = is_k1;
     if (is_k1 && target_) m.target = target_;
     m.k2 = is_k1 ? k2_ : 0;
-    m.kicks = kicks_ % 16;
     m.opponent = opponent_to_tell(b, settings_.keepaway.keepers);
     d.say = m;
     return d;

@@ -31,8 +31,6 @@ class GetUp {
     bool step(const motion::BodySense& sense, const motion::Posture& posture,
               motion::JointTargets& out);
 
-    int tries() const { return tries_; }  ///< keyframe sequences begun since start()
-
   private:
     enum class Phase { Tuck, Rest, Roll, Sequence, Settle };
 
@@ -53,7 +51,7 @@ class GetUp {
     std::vector<Keyframe> frames_;  ///< still to be played in this phase, the running one first
     int cycle_ = 0;                 ///< of the running keyframe, or of the phase if it has none
     int calm_cycles_ = 0;           ///< in a row
-    int tries_ = 0;
+    int tries_ = 0;                 ///< keyframe sequences begun since start()
     bool fresh_ = true;        ///< pose_ is not known yet
     nao::JointArray from_{};   ///< where the running keyframe began
     nao::JointArray pose_{};   ///< wanted now

@@ -28,8 +28,6 @@ class KickEngine {
     bool step(const motion::BodySense& sense, const motion::Posture& posture,
               motion::JointTargets& out);
 
-    Strike strike() const { return strike_; }
-
   private:
     struct Keyframe {
         double duration;

@@ -73,10 +73,6 @@ void WalkEngine::abandon() {
     moving_ = false;
 }
 
-Side WalkEngine::support() const {
-    return steps_.swing() == Side::Left ? Side::Right : Side::Left;
-}
-
 void WalkEngine::follow(const Walk& wish) {
     const auto of_top = [this](double speed, double limit) {
         return std::abs(speed) / std::max(limit * share_, 1e-6);

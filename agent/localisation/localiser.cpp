@@ -14,10 +14,6 @@ constexpr double kSureShare = 0.6;  // weight of a cluster that settles an ambig
 constexpr double kClusterBonus = 0.15;
 constexpr double kAmbiguous = 0.1;  // two different poses whose shares differ by less
 
-double squared(double x) {
-    return x * x;
-}
-
 bool same_place(const Pose2& a, const Pose2& b) {
     return (a.position - b.position).norm() < 1.0 && std::abs(wrap_angle(a.yaw - b.yaw)) < 0.4;
 }

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <cstdint>
 
+#include "common/wire/percepts.h"
+
 namespace k3d::agent::talk {
 namespace {
 
@@ -37,7 +39,7 @@ constexpr PlaneScale kVelocityScale{{12.75, 7}, {12.75, 7}};             // to 0
 constexpr PlaneScale kSightingScale{{kTellReach, 7}, {kTellReach, 7}};  // from the speaker, to 0.1 m
 constexpr int kUnumBits = 4;
 constexpr int kSpareBits = 4;  // for what is yet to be told; zero
-constexpr int kMaxUnum = 11;
+using wire::kMaxUnum;
 
 using Symbols = std::array<std::uint8_t, kDataSymbols>;
 

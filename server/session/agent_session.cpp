@@ -16,7 +16,7 @@ constexpr int kGracePercepts = 5;
 
 std::string AgentSession::name() const {
     if (!seat) return "agent at " + connection->peer();
-    return std::string(body::side_name(seat->team)) + "." + std::to_string(seat->unum);
+    return std::string(wire::side_name(seat->team)) + "." + std::to_string(seat->unum);
 }
 
 bool AgentSession::waited_for() const {

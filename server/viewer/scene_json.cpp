@@ -121,7 +121,7 @@ std::string scene_json(const SceneView& scene) {
         K3D_ASSERT(nao::is_type(robot.type));
         types[std::to_string(robot.type)] = parts_json(robot.type);
         robots.push_back(
-            {{"team", body::side_name(robot.team)}, {"number", robot.unum}, {"type", robot.type}});
+            {{"team", wire::side_name(robot.team)}, {"number", robot.unum}, {"type", robot.type}});
     }
     const json description{{"kind", "scene"},
                            {"version", kStreamVersion},

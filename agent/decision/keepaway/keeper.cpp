@@ -58,10 +58,6 @@ std::optional<talk::Sighting> opponent_to_tell(const world::Beliefs& b, int keep
     return std::nullopt;
 }
 
-Vec2 inside(const Vec2& point, double half) {
-    return {std::clamp(point.x(), -half, half), std::clamp(point.y(), -half, half)};
-}
-
 }  // namespace
 
 Vec2 birth_place(int unum, const KeepawayConfig& c) {
@@ -288,7 +284,7 @@ motion::BodyRequest Keeper::walk_and_watch(const world::Beliefs& b, const Vec2& 
     skills::robots_of(b, settings_.skills.robot_clearance, obstacles_);
     if (b.ball.known) obstacles_.push_back({b.ball.position, settings_.skills.ball_clearance});
     const double half = settings_.keepaway.side / 2.0 - settings_.keeper.area_margin;
-    const Vec2 goal = inside(place, half);
+    const Vec2 goal = within_square(place, half);
     const double yaw = yaw_of(b.ball.position - b.self.pose.position);
     return go_to_.step(b.self.pose, {goal, yaw}, obstacles_, settings_.skills);
 }

@@ -9,6 +9,7 @@
 
 #include "agent/motion/getup/config.h"
 #include "agent/motion/joint_targets.h"
+#include "agent/motion/keyframe.h"
 #include "agent/motion/motion.h"
 #include "agent/motion/posture.h"
 
@@ -34,11 +35,6 @@ class GetUp {
   private:
     enum class Phase { Tuck, Rest, Roll, Sequence, Settle };
 
-    struct Keyframe {
-        double duration;
-        nao::JointArray pose;
-    };
-
     void begin(Phase phase);
     void act_on(Lying lying);
     void add_sequence(const Sequence& sequence);
@@ -48,7 +44,8 @@ class GetUp {
     Config config_;
     Sequences sequences_;  ///< of this type
     Phase phase_ = Phase::Tuck;
-    std::vector<Keyframe> frames_;  ///< still to be played in this phase, the running one first
+    /// Still to be played in this phase, the running one first.
+    std::vector<motion::Keyframe> frames_;
     int cycle_ = 0;                 ///< of the running keyframe, or of the phase if it has none
     int calm_cycles_ = 0;           ///< in a row
     int tries_ = 0;                 ///< keyframe sequences begun since start()

@@ -38,7 +38,9 @@ struct Config {
         f.text("role", role, {"auto", "keeper", "taker", "drill", "soccer"},
                "auto: the left team keeps, the right takes; drill: practises one skill alone");
         f.integer("robot_type", robot_type, {0, 4}, "", "type of Nao");
-        f.seed("seed", seed, "seed of this agent's random streams, together with team and number");
+        f.seed("seed", seed,
+               "of this agent's random streams: localisation's follows from it alone, those of its "
+               "decisions from the team and the number asked for, too");
         f.boolean("beam", beam, "beam to a kick-off position before kick-off and after goals");
         f.number("belief_interval", belief_interval, {0.02, 60.0}, "s",
                  "how often beliefs are written to the telemetry file");

@@ -130,7 +130,8 @@ class Simulation {
     std::optional<recording::Recorder> recorder_;
     recording::ReplayStep* replayed_ = nullptr;  ///< inputs of this step; null in a live run
     session::Pacer pacer_;
-    std::vector<std::unique_ptr<session::AgentSession>> agents_;  ///< by (team, number) once seated
+    /// By (team, number) from a match's beginning on if it had a lobby; else as they came.
+    std::vector<std::unique_ptr<session::AgentSession>> agents_;
     session::Teams teams_;
     session::Monitors monitors_;
     int next_connection_ = 1;  ///< number of the next connection to either port

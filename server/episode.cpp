@@ -19,7 +19,6 @@ namespace {
 /// and speed of connecting leave no trace.
 constexpr int kLobbyPercepts = 5;
 constexpr std::chrono::milliseconds kLobbyPoll{20};
-constexpr int kSoccerSeats = 11;
 
 bool is_keepaway(const Config& config) { return config.game == "keepaway"; }
 
@@ -31,7 +30,7 @@ bool has_lobby(const Config& config) {
 int seats(const Config& config, wire::Side side) {
     const bool left = side == wire::Side::Left;
     if (is_keepaway(config)) return left ? config.keepaway.keepers : config.keepaway.takers;
-    if (!has_lobby(config)) return kSoccerSeats;
+    if (!has_lobby(config)) return wire::kMaxUnum;
     return left ? config.pace.lobby_left : config.pace.lobby_right;
 }
 

@@ -50,8 +50,8 @@ const std::vector<k3d::config::ShortFlag> kFlags{
     {"--vision-interval", "vision.interval", "cycles between See percepts (default 3)"},
 };
 
-void add_flags(CLI::App& app, Options& options) {
-    k3d::config::add_flags(app, options.line, kFlags, "keepaway.side=12");
+/// Flags that set several paths.
+void add_groups(CLI::App& app, Options& options) {
     auto& settings = options.line.settings;
     app.add_option_function<std::string>(
            "--noise",
@@ -71,6 +71,11 @@ void add_flags(CLI::App& app, Options& options) {
             }
         },
         "adds mypos, myorien and ballpos to See");
+}
+
+void add_flags(CLI::App& app, Options& options) {
+    add_groups(app, options);  // before --set, which wins over them
+    k3d::config::add_flags(app, options.line, kFlags, "keepaway.side=12");
     app.add_option("--results", options.files.results, "file to append one JSON line per episode to");
     app.add_option("--monitor-log", options.files.monitor_log,
                    "file to write the match to, for monitors to play");

@@ -2,7 +2,6 @@
 // The four actions of getting possession and who chooses among them.
 #include "agent/decision/possession.h"
 
-#include <algorithm>
 #include <memory>
 
 #include "agent/skills/intercept.h"
@@ -13,15 +12,12 @@ namespace {
 
 using motion::BodyRequest;
 
-Vec2 inside(const Vec2& point, double half) {
-    return {std::clamp(point.x(), -half, half), std::clamp(point.y(), -half, half)};
-}
-
 /// Walk to a point of the ball's path and face the ball.
 BodyRequest meet(const PossessionInput& in, const Vec2& point, skills::GoTo& go_to,
                  const skills::SkillConfig& skill) {
     const Pose2& self = in.beliefs.self.pose;
-    const Pose2 goal{inside(point, in.half_area), yaw_of(in.beliefs.ball.position - self.position)};
+    const Pose2 goal{within_square(point, in.half_area),
+                     yaw_of(in.beliefs.ball.position - self.position)};
     return go_to.step(self, goal, in.robots, skill);
 }
 

@@ -20,12 +20,4 @@ PartPoses forward(const nao::Model& model, const nao::JointArray& joints) {
     return parts;
 }
 
-Vec3 centre_of_mass(const nao::Model& model, const PartPoses& parts) {
-    Vec3 sum = Vec3::Zero();
-    for (const nao::BodyDef& body : model.bodies) {
-        sum += body.mass * parts[nao::index(body.part)].position;
-    }
-    return sum / model.total_mass;
-}
-
 }  // namespace k3d::agent::kinematics

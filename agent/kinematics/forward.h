@@ -13,12 +13,9 @@
 
 namespace k3d::agent::kinematics {
 
-/// The same vector, from body axes (x right, y forward, z up) to agent axes and back.
+/// The same vector, from body axes (x right, y forward, z up) to agent axes.
 inline Vec3 body_to_agent(const Vec3& v) {
     return {v.y(), -v.x(), v.z()};
-}
-inline Vec3 agent_to_body(const Vec3& v) {
-    return {-v.y(), v.x(), v.z()};
 }
 
 struct PartPose {
@@ -32,8 +29,5 @@ struct PartPose {
 using PartPoses = std::array<PartPose, nao::kPartCount>;
 
 PartPoses forward(const nao::Model& model, const nao::JointArray& joints);
-
-/// Centre of mass of the whole robot.
-Vec3 centre_of_mass(const nao::Model& model, const PartPoses& parts);
 
 }  // namespace k3d::agent::kinematics

@@ -12,13 +12,6 @@ namespace {
 
 using nao::JointId;
 
-constexpr std::array<JointId, 6> kRightLeg{JointId::RHipYawPitch, JointId::RHipRoll,
-                                           JointId::RHipPitch,    JointId::RKneePitch,
-                                           JointId::RAnklePitch,  JointId::RAnkleRoll};
-constexpr std::array<JointId, 6> kLeftLeg{JointId::LHipYawPitch, JointId::LHipRoll,
-                                          JointId::LHipPitch,    JointId::LKneePitch,
-                                          JointId::LAnklePitch,  JointId::LAnkleRoll};
-
 const nao::JointDef* joint_of(const nao::Model& model, JointId id) {
     for (const nao::JointDef& joint : model.joints) {
         if (joint.id == id) return &joint;
@@ -26,12 +19,9 @@ const nao::JointDef* joint_of(const nao::Model& model, JointId id) {
     return nullptr;
 }
 
-Mat3 about_x(double angle) {
-    return Eigen::AngleAxisd(angle, Vec3::UnitX()).toRotationMatrix();
-}
 /// Pitch joints turn about body x, which is minus agent y.
 Mat3 pitched(double angle) {
-    return Eigen::AngleAxisd(-angle, Vec3::UnitY()).toRotationMatrix();
+    return about_y(-angle);
 }
 
 /// Angle of v in the sagittal plane, counted as pitch joints do, from straight up.

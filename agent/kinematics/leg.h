@@ -11,6 +11,15 @@ namespace k3d::agent::kinematics {
 
 enum class Side { Right, Left };
 
+/// The joints of a leg, from the hip down.
+using LegJoints = std::array<nao::JointId, 6>;
+inline constexpr LegJoints kRightLeg{nao::JointId::RHipYawPitch, nao::JointId::RHipRoll,
+                                     nao::JointId::RHipPitch,    nao::JointId::RKneePitch,
+                                     nao::JointId::RAnklePitch,  nao::JointId::RAnkleRoll};
+inline constexpr LegJoints kLeftLeg{nao::JointId::LHipYawPitch, nao::JointId::LHipRoll,
+                                    nao::JointId::LHipPitch,    nao::JointId::LKneePitch,
+                                    nao::JointId::LAnklePitch,  nao::JointId::LAnkleRoll};
+
 /// Where a sole is: its point and the foot's axes, in the torso frame.
 using SolePose = PartPose;
 

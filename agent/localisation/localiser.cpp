@@ -14,10 +14,6 @@ constexpr double kSureShare = 0.6;  // weight of a cluster that settles an ambig
 constexpr double kClusterBonus = 0.15;
 constexpr double kAmbiguous = 0.1;  // two different poses whose shares differ by less
 
-double squared(double x) {
-    return x * x;
-}
-
 bool same_place(const Pose2& a, const Pose2& b) {
     return (a.position - b.position).norm() < 1.0 && std::abs(wrap_angle(a.yaw - b.yaw)) < 0.4;
 }
@@ -44,13 +40,6 @@ void Localiser::reset() {
     since_view_ = Pose2{};
     position_variance_ = yaw_variance_ = 0.0;
     location_ = Location{};
-}
-
-void Localiser::reset(const Pose2& pose, double position_sd, double yaw_sd) {
-    reset();
-    estimate_ = about(pose, position_sd, yaw_sd);
-    found_ = true;
-    report();
 }
 
 const Location& Localiser::update(const perception::View* view, const Pose2& odometry, bool upright,

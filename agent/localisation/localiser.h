@@ -28,8 +28,6 @@ class Localiser {
 
     /// Forgets everything; the robot may stand anywhere.
     void reset();
-    /// The robot stands near `pose` (after a beam, say), with these deviations.
-    void reset(const Pose2& pose, double position_sd, double yaw_sd);
 
     /// One cycle. `odometry` is the motion since the cycle before, `dt` the time since. `view` is
     /// null in a cycle without vision; it is not looked at while the robot is down, since then the

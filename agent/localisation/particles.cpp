@@ -30,10 +30,6 @@ constexpr double kSensedYawSd = 0.05;      // rad
 constexpr double kJitterPosition = 0.03;   // m, after a draw: keeps copies apart
 constexpr double kJitterYaw = 0.01;        // rad
 
-double squared(double x) {
-    return x * x;
-}
-
 /// Squared misfit of a straight sighting to the nearest straight line of the same direction. The
 /// field is symmetric in both axes, so one quadrant is enough.
 double line_cost(const Vec2& middle, const Vec2& heading, double offset_weight) {

@@ -4,12 +4,14 @@
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
 
+#include "common/nao/camera.h"
+
 namespace k3d::agent::localisation {
 
 namespace {
 
-constexpr double kDistanceNoise = 0.000965;     // share of the distance
-constexpr double kAngleNoise = radians(0.148);  // rad
+constexpr double kDistanceNoise = nao::kSightDistanceNoise;
+constexpr double kAngleNoise = radians(nao::kSightThetaNoiseDeg);
 constexpr double kOffset =
     0.01;  // m: calibration (5 mm an axis), rounding, error of the camera pose
 constexpr Gate kWide{0.8, 0.17};  // first look: parallel lines lie 1.8 m apart, chords 18 degrees

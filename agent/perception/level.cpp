@@ -3,13 +3,15 @@
 
 #include <Eigen/Cholesky>
 
+#include "common/nao/camera.h"
+
 namespace k3d::agent::perception {
 
 namespace {
 
 constexpr double kTiltPrior = radians(3.0);
 constexpr double kHeightPrior = 0.03;               // m
-constexpr double kVerticalNoise = radians(0.1225);  // of one sighting
+constexpr double kVerticalNoise = radians(nao::kSightPhiNoiseDeg);  // of one sighting
 constexpr double kHeightNoise = 0.005;              // m: rounding to centimetres on the wire
 constexpr double kMaxTilt = radians(10.0);
 

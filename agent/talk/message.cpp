@@ -7,6 +7,8 @@
 #include <cmath>
 #include <cstdint>
 
+#include "common/wire/percepts.h"
+
 namespace k3d::agent::talk {
 namespace {
 
@@ -36,7 +38,8 @@ constexpr PlaneScale kTargetScale{{16.0, 9}, {11.0, 8}};  // to 63 and 87 mm
 constexpr PlaneScale kVelocityScale{{12.75, 7}, {12.75, 7}};             // to 0.2 m/s
 constexpr PlaneScale kSightingScale{{kTellReach, 7}, {kTellReach, 7}};  // from the speaker, to 0.1 m
 constexpr int kUnumBits = 4;
-constexpr int kMaxUnum = 11;
+constexpr int kSpareBits = 4;  // for what is yet to be told; zero
+using wire::kMaxUnum;
 
 using Symbols = std::array<std::uint8_t, kDataSymbols>;
 
@@ -131,7 +134,7 @@ void encode(const Message& message, std::string& text) {
     w.put_flag(message.target.has_value());
     w.put_vector(message.target.value_or(Vec2::Zero()), kTargetScale);
     w.put_unum(message.k2);
-    w.put(static_cast<std::uint32_t>(message.kicks) & 15U, 4);
+    w.put(0, kSpareBits);
     const Sighting* opponent = tellable(message);
     w.put_unum(opponent != nullptr ? opponent->unum : 0);
     w.put_vector(opponent != nullptr ? Vec2(opponent->position - message.position) : Vec2(Vec2::Zero()),
@@ -173,7 +176,7 @@ std::optional<Message> decode(std::string_view text) {
     const Vec2 target = r.get_vector(kTargetScale);
     if (has_target) message.target = target;
     message.k2 = r.get_unum();
-    message.kicks = static_cast<int>(r.get(4));
+    r.get(kSpareBits);
     const int opponent = r.get_unum();
     const Vec2 from_speaker = r.get_vector(kSightingScale);
     if (opponent != 0) message.opponent = {opponent, message.position + from_speaker};

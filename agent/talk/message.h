@@ -31,7 +31,6 @@ struct Message {
     bool claims_k1 = false;
     std::optional<Vec2> target;        ///< K1's kick target
     int k2 = 0;                        ///< unum that K1 names K2, 0 = none
-    int kicks = 0;                     ///< speaker's kicks so far modulo 16: a change says "I kicked"
     std::optional<Sighting> opponent;  ///< one at a time
 };
 

@@ -32,8 +32,6 @@ struct Ball {
     Vec2 finish = Vec2::Zero();
     Vec2 position_before = Vec2::Zero();  ///< the ball 0.5 s ago (paper-notes: prev_ball)
     bool moving = false;
-
-    Vec2 position_in(const Pose2& robot) const { return robot.to_local(position); }
 };
 
 struct Player {

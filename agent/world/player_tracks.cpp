@@ -13,7 +13,7 @@ constexpr double kGate = 25.0;         // squared deviations; beyond, the player
 constexpr double kJump = 0.5;          // m: a smaller surprise is no move
 
 bool is_unum(int unum) {
-    return unum >= 1 && unum <= PlayerTracks::kMaxUnum;
+    return unum >= 1 && unum <= wire::kMaxUnum;
 }
 
 }  // namespace
@@ -93,8 +93,8 @@ void PlayerTracks::reseat(const Pose2& from, const Pose2& to) {
 void PlayerTracks::report_team(const Team& team, bool mate, double now, int left_out,
                                std::vector<Player>& players) const {
     players.clear();
-    players.reserve(kMaxUnum);
-    for (int unum = 1; unum <= kMaxUnum; ++unum) {
+    players.reserve(wire::kMaxUnum);
+    for (int unum = 1; unum <= wire::kMaxUnum; ++unum) {
         const Track& track = team[static_cast<std::size_t>(unum - 1)];
         if (unum == left_out || now - track.seen > players_.memory) continue;
         const Vec2 lagged = track.mean_weight > 0.0 ? Vec2(track.mean_sum / track.mean_weight)

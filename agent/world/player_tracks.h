@@ -10,13 +10,12 @@
 #include "agent/world/beliefs.h"
 #include "agent/world/config.h"
 #include "agent/world/point_filter.h"
+#include "common/wire/percepts.h"
 
 namespace k3d::agent::world {
 
 class PlayerTracks {
   public:
-    static constexpr int kMaxUnum = 11;
-
     PlayerTracks(const PlayersConfig& players, const TakerConfig& taker);
 
     void reset();
@@ -47,7 +46,7 @@ class PlayerTracks {
         double mean_weight = 0.0;
         bool fallen = false;
     };
-    using Team = std::array<Track, kMaxUnum>;
+    using Team = std::array<Track, wire::kMaxUnum>;
 
     void measure(Track& track, const Vec2& position, double sd, double now);
     void report_team(const Team& team, bool mate, double now, int left_out,

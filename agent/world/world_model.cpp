@@ -2,6 +2,7 @@
 #include "agent/world/world_model.h"
 
 #include "common/field/field.h"
+#include "common/nao/camera.h"
 
 namespace k3d::agent::world {
 
@@ -10,7 +11,7 @@ namespace {
 constexpr double kMaxStep = 1.0;    // s between two frames; more, or less than none, is a jump
 constexpr double kPoseJump = 0.15;  // m: a correction that is no mere noise
 constexpr double kYawJump = radians(3.0);
-constexpr double kAngleNoise = radians(0.148);  // of vision (SimSpark reference 3.6)
+constexpr double kAngleNoise = radians(nao::kSightThetaNoiseDeg);
 constexpr double kBallOffset = 0.008;        // m: rounding, calibration, error of the camera's pose
 constexpr double kPlayerOffset = 0.03;       // m: limbs sway about the middle
 constexpr double kSafeView = radians(50.0);  // well inside the view of +-60 degrees

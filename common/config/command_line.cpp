@@ -33,9 +33,10 @@ void add_flags(CLI::App& app, CommandLine& line, const std::vector<ShortFlag>& f
     app.add_option_function<std::vector<std::string>>(
            "--set",
            [&line](const std::vector<std::string>& values) {
-               for (const std::string& value : values) line.settings.push_back(path_and_value(value));
+               for (const std::string& value : values)
+                   line.settings.push_back(path_and_value(value));
            },
-           "path=value, e.g. " + example + "; may be repeated")
+           "path=value, e.g. " + example + "; wins over other flags; may be repeated, later wins")
         ->allow_extra_args(false);
     app.add_option("--log-level", line.log_level, "trace, debug, info, warning, error or off");
     app.add_flag("--print-config", line.print_config, "print the resolved configuration, and end");

@@ -24,7 +24,8 @@ inline constexpr int kExitInterrupted = 130;  ///< stopped by the user, as a she
 /// A flag that is the short name of a configuration path: {"--pace", "pace.mode", "help"}.
 using ShortFlag = std::array<const char*, 3>;
 
-/// What a command line asks for, in order; settings win over files, later ones over earlier ones.
+/// What a command line asks for. Flags win over files and --set over flags, wherever they stand; of
+/// several files, and of several --set, the later wins.
 struct CommandLine {
     std::vector<std::string> files;
     std::vector<std::pair<std::string, std::string>> settings;  ///< path, value
@@ -33,8 +34,9 @@ struct CommandLine {
     bool print_fields = false;
 };
 
-/// Adds `flags` and --config, --set, --print-config, --print-fields, --log-level. `example` is shown
-/// with --set.
+/// Adds `flags` and --config, --set, --print-config, --print-fields, --log-level. `example` is
+/// shown with --set. Options are carried out in the order in which they are added: whoever adds
+/// further flags that set something must do so before.
 void add_flags(CLI::App& app, CommandLine& line, const std::vector<ShortFlag>& flags,
                const std::string& example);
 

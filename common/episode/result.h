@@ -31,7 +31,7 @@ struct PlayerResult {
 
 struct Result {
     int schema = kSchemaVersion;
-    std::string game;              ///< "keepaway" or "soccer"
+    std::string game;  ///< "keepaway", "soccer", or "drill_" and a drill's name
     std::uint64_t seed = 0;
     Status status = Status::Finished;
     std::string reason;            ///< taker_reached_ball, ball_out, keeper_out, time_limit, ...

@@ -28,8 +28,6 @@ inline constexpr double kBallRadius = 0.042;
 inline constexpr double kBallMass = 0.026;
 /// Speed decay of a rolling ball, 1/s: dv/dt = -kRollDecay * v (reference 6.5, measured A.3 (i)).
 inline constexpr double kRollDecay = 1.06;
-/// A kicked ball that starts flat rolls kRollDistancePerSpeed * start speed (measured A.3 (i)).
-inline constexpr double kRollDistancePerSpeed = 0.677;  // s
 
 /// Landmarks in the order of the See percept (reference 3.6, 6.2). Names never flip with the team.
 enum class Landmark { G1L, G2L, G2R, G1R, F1L, F2L, F1R, F2R };

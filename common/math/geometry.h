@@ -6,6 +6,7 @@
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -35,6 +36,21 @@ inline double wrap_degrees(double angle_deg) {
     return wrapped <= -180.0 ? wrapped + 360.0 : wrapped;
 }
 
+inline double squared(double x) {
+    return x * x;
+}
+
+/// Rotations about the axes, by the right-hand rule.
+inline Mat3 about_x(double angle) {
+    return Eigen::AngleAxisd(angle, Vec3::UnitX()).toRotationMatrix();
+}
+inline Mat3 about_y(double angle) {
+    return Eigen::AngleAxisd(angle, Vec3::UnitY()).toRotationMatrix();
+}
+inline Mat3 about_z(double angle) {
+    return Eigen::AngleAxisd(angle, Vec3::UnitZ()).toRotationMatrix();
+}
+
 inline Vec2 direction(double yaw) { return {std::cos(yaw), std::sin(yaw)}; }
 inline double yaw_of(const Vec2& v) { return std::atan2(v.y(), v.x()); }
 
@@ -42,6 +58,11 @@ inline Vec2 rotated(const Vec2& v, double yaw) {
     const double c = std::cos(yaw);
     const double s = std::sin(yaw);
     return {c * v.x() - s * v.y(), s * v.x() + c * v.y()};
+}
+
+/// The point of the square from -half to half on both axes that is nearest to `point`.
+inline Vec2 within_square(const Vec2& point, double half) {
+    return {std::clamp(point.x(), -half, half), std::clamp(point.y(), -half, half)};
 }
 
 /// Unsigned angle at the middle point `vertex`, 0..pi; 0 if a side has no length.

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "common/clock/deadline.h"
 #include "common/net/connection.h"
 #include "common/net/net.h"
 #include "common/wire/frame.h"
@@ -24,11 +25,6 @@ namespace {
 /// A server that takes nothing for this long has hung.
 constexpr milliseconds kSendPatience{30'000};
 constexpr milliseconds kRetryPause{20};
-
-int remaining_ms(Clock::time_point deadline) {
-    const auto rest = std::chrono::ceil<milliseconds>(deadline - Clock::now()).count();
-    return static_cast<int>(std::clamp<long long>(rest, 0, 3'600'000));
-}
 
 /// Waits until the socket is ready for `events`; false at the deadline.
 bool wait_for(Socket& socket, short events, Clock::time_point deadline) {
@@ -57,12 +53,7 @@ struct Client::Impl {
 
     Impl(const UnixPath& path, milliseconds patience) : Impl("unix:" + path.name) {
         local = true;
-        if (path.name.empty() || path.name.size() > kMaxUnixPath) {
-            throw NetError("cannot connect to " + place + ": a name of " +
-                           std::to_string(path.name.size()) + " bytes, limit " +
-                           std::to_string(kMaxUnixPath));
-        }
-        const Endpoint endpoint = asio::local::stream_protocol::endpoint(path.name);
+        const Endpoint endpoint = endpoint_of(path, "cannot connect to");
         connect_within(patience, [&](error_code&) { return std::vector{endpoint}; });
     }
 

@@ -258,6 +258,15 @@ bool is_tcp(const Endpoint& endpoint) {
     return family == AF_INET || family == AF_INET6;
 }
 
+Endpoint endpoint_of(const UnixPath& path, const std::string& cannot) {
+    if (path.name.empty() || path.name.size() > kMaxUnixPath) {
+        throw NetError(cannot + " unix:" + path.name + ": a name of " +
+                       std::to_string(path.name.size()) + " bytes, limit " +
+                       std::to_string(kMaxUnixPath));
+    }
+    return boost::asio::local::stream_protocol::endpoint(path.name);
+}
+
 std::unique_ptr<Connection> make_connection(Socket socket, std::string peer,
                                             std::shared_ptr<Shared> shared) {
     auto stream = std::make_shared<Stream>(std::move(socket), std::move(peer), std::move(shared));

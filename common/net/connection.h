@@ -26,4 +26,7 @@ std::unique_ptr<Connection> make_connection(Socket socket, std::string peer,
 
 bool is_tcp(const Endpoint& endpoint);
 
+/// Of a Unix-domain socket. Throws NetError where the name is none: `cannot` + " unix:NAME: ...".
+Endpoint endpoint_of(const UnixPath& path, const std::string& cannot);
+
 }  // namespace k3d::net

@@ -44,22 +44,17 @@ struct Listener::Impl : std::enable_shared_from_this<Listener::Impl> {
     }
 
     void open(const UnixPath& path) {
-        const std::string place = "unix:" + path.name;
-        if (path.name.empty() || path.name.size() > kMaxUnixPath) {
-            throw NetError("cannot listen on " + place + ": a name of " +
-                           std::to_string(path.name.size()) + " bytes, limit " +
-                           std::to_string(kMaxUnixPath));
-        }
-        remove_if_left(path.name);
-        open(asio::local::stream_protocol::endpoint(path.name), place);
+        const Endpoint endpoint = endpoint_of(path, "cannot listen on");
+        remove_if_left(endpoint, path.name);
+        open(endpoint, "unix:" + path.name);
         file_ = path.name;
     }
 
     /// A killed server leaves its socket's file, at which nobody listens any more.
-    void remove_if_left(const std::string& file) {
+    void remove_if_left(const Endpoint& endpoint, const std::string& file) {
         Socket probe(acceptor.get_executor());
         error_code fault;
-        probe.connect(asio::local::stream_protocol::endpoint(file), fault);
+        probe.connect(endpoint, fault);
         std::error_code ignored;
         const bool deserted = fault == asio::error::connection_refused;
         if (deserted && std::filesystem::is_socket(file, ignored)) ::unlink(file.c_str());

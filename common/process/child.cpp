@@ -15,6 +15,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "common/clock/deadline.h"
 #include "common/process/start.h"
 
 namespace k3d::process {
@@ -26,12 +27,6 @@ using std::chrono::milliseconds;
 
 constexpr std::string_view kReady = "ready";
 constexpr std::size_t kLogTail = 2000;  // bytes of the log quoted in an error
-
-/// Rounded up, so that a wait never ends before its deadline.
-int remaining_ms(Clock::time_point deadline) {
-    const auto rest = std::chrono::ceil<milliseconds>(deadline - Clock::now()).count();
-    return static_cast<int>(std::clamp<long long>(rest, 0, 3'600'000));
-}
 
 std::string tail_of(const std::string& path) {
     std::ifstream in(path, std::ios::binary | std::ios::ate);

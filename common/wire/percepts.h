@@ -28,6 +28,12 @@ struct Pol {
 
 enum class Side { Left, Right, None };
 
+inline constexpr std::string_view side_name(Side side) {
+    return side == Side::Left ? "left" : side == Side::Right ? "right" : "none";
+}
+
+inline constexpr int kMaxUnum = 11;  ///< players of a team have the numbers from 1 on
+
 struct GameState {
     std::optional<int> unum;    ///< once, in the first frame after the team was assigned
     std::optional<Side> team;   ///< with unum
@@ -50,8 +56,10 @@ struct FootForce {
     Vec3 point = Vec3::Zero();
     Vec3 force = Vec3::Zero();
 };
-enum class FootSensor { Right, Left, RightToe, LeftToe };  // rf, lf, rf1, lf1
+enum class FootSensor { Right, Left, RightToe, LeftToe };
 inline constexpr std::size_t kFootSensorCount = 4;
+inline constexpr std::array<std::string_view, kFootSensorCount> kFootNames{"rf", "lf", "rf1",
+                                                                           "lf1"};
 
 /// `(P (team T) (id N) (head (pol ..)) ...)`: parts out of view are absent.
 struct SeenPlayer {

@@ -10,11 +10,9 @@ namespace {
 
 using sexpr::Node;
 
-constexpr int kMaxUnum = 11;
 // What a full See holds; more only takes more memory.
 constexpr std::size_t kUsualPlayers = 21;
 constexpr std::size_t kUsualLines = 32;
-constexpr std::string_view kFootNames[kFootSensorCount] = {"rf", "lf", "rf1", "lf1"};
 
 /// The number after `previous`; moves `previous` on to it.
 std::optional<double> next_number(std::optional<Node>& previous) {

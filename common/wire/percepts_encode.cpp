@@ -10,7 +10,6 @@ namespace {
 using nao::JointId;
 
 constexpr int kDecimals = 2;
-constexpr std::string_view kFootNames[kFootSensorCount] = {"rf", "lf", "rf1", "lf1"};
 
 void number(double value, std::string& out) {
     out += ' ';
@@ -35,10 +34,6 @@ void pol(const Pol& p, std::string& out) {
     number(p.theta_deg, out);
     number(p.phi_deg, out);
     out += ')';
-}
-
-std::string_view side_name(Side side) {
-    return side == Side::Left ? "left" : side == Side::Right ? "right" : "none";
 }
 
 void game_state(const GameState& game, std::string& out) {

@@ -15,7 +15,7 @@ using sexpr::Node;
 using Decoded = std::optional<TrainerCommand>;
 
 // Capitalised on this port, unlike in percepts.
-std::string_view side_name(Side side) {
+std::string_view capitalised(Side side) {
     return side == Side::Left ? "Left" : side == Side::Right ? "Right" : "None";
 }
 
@@ -203,7 +203,7 @@ struct Encoder {
         out += " (unum ";
         sexpr::append_integer(unum, out);
         out += ")(team ";
-        out += side_name(team);
+        out += capitalised(team);
         out += ')';
     }
 
@@ -236,7 +236,7 @@ struct Encoder {
     }
     void operator()(const KickOffCommand& c) {
         out += "(kickOff ";
-        out += side_name(c.side);
+        out += capitalised(c.side);
         out += ')';
     }
     void operator()(const DropBallCommand&) { out += "(dropBall)"; }

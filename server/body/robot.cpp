@@ -133,11 +133,6 @@ double Robot::measured(std::size_t joint) const {
     return angles_[joint];
 }
 
-double Robot::rate(nao::JointId id) const {
-    const dJointID joint = joints_[nao::index(id)];
-    return joint == nullptr ? 0.0 : dJointGetHingeAngleRate(joint);
-}
-
 Vec3 Robot::position(std::size_t body) const { return position_of(bodies_[body]); }
 Quat Robot::rotation(std::size_t body) const { return rotation_of(bodies_[body]); }
 Vec3 Robot::torso_velocity() const { return velocity_of(bodies_[0]); }

@@ -31,7 +31,6 @@ class Robot {
     void drive(nao::JointId joint, double rate);
 
     double angle(nao::JointId joint) const;  ///< rad; 0 for a joint this type lacks
-    double rate(nao::JointId joint) const;   ///< rad/s
 
     /// By index into model().bodies.
     Vec3 position(std::size_t body) const;

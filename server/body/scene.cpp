@@ -5,20 +5,8 @@
 
 namespace k3d::server::body {
 
-std::string_view side_name(wire::Side side) {
-    switch (side) {
-        case wire::Side::Left:
-            return "left";
-        case wire::Side::Right:
-            return "right";
-        case wire::Side::None:
-            break;
-    }
-    return "none";
-}
-
 std::string Player::entity() const {
-    return std::string(side_name(team)) + "." + std::to_string(unum);
+    return std::string(wire::side_name(team)) + "." + std::to_string(unum);
 }
 
 Player& Scene::add_player(int type, const Vec3& torso) {

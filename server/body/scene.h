@@ -45,8 +45,6 @@ struct Scene {
     int next_id_ = 0;
 };
 
-std::string_view side_name(wire::Side side);  ///< "left", "right", "none"
-
 /// Field frame <-> a team's frame: the right team sees the field turned by 180 degrees.
 inline Vec3 flipped(const Vec3& v, wire::Side team) {
     return team == wire::Side::Right ? Vec3(-v.x(), -v.y(), v.z()) : v;

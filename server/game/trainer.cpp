@@ -36,11 +36,7 @@ struct Apply {
         if (Soccer* referee = soccer()) referee->kick_off(c.side);
     }
     void operator()(const wire::DropBallCommand&) {
-        Soccer* referee = soccer();
-        if (referee == nullptr) return;
-        settle_ball(scene);
-        clear_ball(scene);
-        referee->state().enter(PlayMode::PlayOn);
+        if (Soccer* referee = soccer()) referee->drop_ball(scene);
     }
     void operator()(const wire::TimeCommand& c) {
         if (Soccer* referee = soccer()) referee->state().time = c.time;

@@ -5,8 +5,9 @@
 //          | ((name value...)...)(RDS 0 1)(node...)     what changed since the last difference
 //
 // Numbers have six significant digits. A difference repeats the tree's shape, since readers match
-// nodes by position; it holds a transform only if an element moved by more than 0.005 since it was
-// last told, so a reader may be off by that much; a full frame is exact.
+// nodes by position; it holds a transform only if an element moved by more than 0.005 since a
+// difference or a restart told it last. A reader of differences may be off by that much; one who got
+// a full frame in between, which is exact but not what later differences build on, by twice that.
 #pragma once
 
 #include <optional>

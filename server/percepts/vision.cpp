@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "common/field/field.h"
+#include "common/nao/camera.h"
 
 namespace k3d::server::percepts {
 
@@ -98,9 +99,9 @@ Camera::Camera(const VisionConfig& config, RandomStream noise) : config_(config)
 wire::Pol Camera::noisy(const Vec3& in_head) {
     wire::Pol pol = polar(in_head);
     if (!config_.noise) return pol;
-    pol.distance *= 1.0 + noise_.normal(0.0, kDistanceNoise);
-    pol.theta_deg += noise_.normal(0.0, kThetaNoiseDeg);
-    pol.phi_deg += noise_.normal(0.0, kPhiNoiseDeg);
+    pol.distance *= 1.0 + noise_.normal(0.0, nao::kSightDistanceNoise);
+    pol.theta_deg += noise_.normal(0.0, nao::kSightThetaNoiseDeg);
+    pol.phi_deg += noise_.normal(0.0, nao::kSightPhiNoiseDeg);
     return pol;
 }
 

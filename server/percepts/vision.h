@@ -26,9 +26,6 @@ struct VisionConfig {
 
 inline constexpr double kViewHalfAngleDeg = 60.0;
 inline constexpr double kMinSeenDistance = 0.1;           // m
-inline constexpr double kDistanceNoise = 0.0965 / 100.0;  // sd relative to the distance
-inline constexpr double kThetaNoiseDeg = 0.1480;          // sd, horizontal
-inline constexpr double kPhiNoiseDeg = 0.1225;            // sd, vertical
 inline constexpr double kCalibrationRange = 0.005;        // m, uniform per axis, once per camera
 
 /// One robot's camera: its calibration offset and its noise.

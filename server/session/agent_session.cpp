@@ -16,7 +16,7 @@ constexpr int kGracePercepts = 5;
 
 std::string AgentSession::name() const {
     if (!seat) return "agent at " + connection->peer();
-    return std::string(body::side_name(seat->team)) + "." + std::to_string(seat->unum);
+    return std::string(wire::side_name(seat->team)) + "." + std::to_string(seat->unum);
 }
 
 bool AgentSession::waited_for() const {
@@ -45,7 +45,9 @@ void AgentSession::send_percepts() {
     payload.clear();
     wire::encode(percepts, nao::model(*type), payload);
     if (payload.size() > wire::kMaxPayloadToAgent && percepts.see) {
-        // Only with coordinates of hundreds of digits, which a trainer may set: no such sight then.
+        // A sight of all 22 fits (teams.h) and a trainer's coordinates are bounded; should bodies
+        // be so far away that their numbers are longer, no sight is better than a frame that no
+        // agent takes.
         spdlog::warn("{}: a frame of {} bytes is sent without what is seen", name(), payload.size());
         percepts.see.emplace();
         payload.clear();

@@ -64,7 +64,7 @@ struct AgentSession {
     void parked_percepts(double time, const game::GameState& state);
 };
 
-/// Robot type asked for: 0 for nao.rsg, N for `nao_hetero.rsg N`; an error text for anything else.
+/// Robot type asked for: 0 for nao.rsg, N for `nao_hetero.rsg N`; none for anything else.
 std::optional<int> robot_type(const wire::SceneCommand& scene);
 
 }  // namespace k3d::server::session

@@ -21,7 +21,11 @@ std::string with_syn(const std::string& frame) {
 }  // namespace
 
 bool may_command(std::string_view trainers, std::string_view peer) {
-    if (trainers == "loopback") return peer.starts_with("127.") || peer.starts_with("[::1]");
+    if (trainers == "loopback") {
+        // A listener for both families tells of an IPv4 peer as the IPv6 address it is mapped to.
+        return peer.starts_with("127.") || peer.starts_with("[::1]") ||
+               peer.starts_with("[::ffff:127.");
+    }
     return trainers == "all";
 }
 

@@ -10,7 +10,7 @@
 namespace k3d::server::session {
 
 namespace {
-constexpr int kMaxUnum = 11;
+using wire::kMaxUnum;
 
 bool is_name(std::string_view text) {
     return !text.empty() && text.size() <= kMaxTeamName &&

@@ -64,6 +64,10 @@ json field_json() {
             {"landmarks", landmarks}};
 }
 
+json area_json(const std::optional<Vec2>& area) {
+    return area ? json{area->x(), area->y()} : json(nullptr);
+}
+
 json parts_json(int type) {
     json parts = json::array();
     for (const nao::BodyDef& body : nao::model(type).bodies) {
@@ -107,7 +111,6 @@ SceneKey key_of(const SceneView& scene) {
     }
     key.team_left = scene.team_left;
     key.team_right = scene.team_right;
-    if (scene.area) key.area = {scene.area->x(), scene.area->y()};
     return key;
 }
 
@@ -118,17 +121,15 @@ std::string scene_json(const SceneView& scene) {
         K3D_ASSERT(nao::is_type(robot.type));
         types[std::to_string(robot.type)] = parts_json(robot.type);
         robots.push_back(
-            {{"team", body::side_name(robot.team)}, {"number", robot.unum}, {"type", robot.type}});
+            {{"team", wire::side_name(robot.team)}, {"number", robot.unum}, {"type", robot.type}});
     }
-    const json description{
-        {"kind", "scene"},
-        {"version", kStreamVersion},
-        {"field", field_json()},
-        {"ball_radius", field::kBallRadius},
-        {"area", scene.area ? json{scene.area->x(), scene.area->y()} : json(nullptr)},
-        {"teams", {scene.team_left, scene.team_right}},
-        {"types", types},
-        {"robots", robots}};
+    const json description{{"kind", "scene"},
+                           {"version", kStreamVersion},
+                           {"field", field_json()},
+                           {"ball_radius", field::kBallRadius},
+                           {"teams", {scene.team_left, scene.team_right}},
+                           {"types", types},
+                           {"robots", robots}};
     std::string text = dumped(description);
     text.pop_back();  // the closing brace
     return text + ",\"now\":" + moment_json(scene) + "}";
@@ -141,7 +142,8 @@ std::string moment_json(const SceneView& scene) {
                               {"game_time", scene.game_time},
                               {"play_mode", scene.play_mode},
                               {"score", {scene.score_left, scene.score_right}},
-                              {"episode", scene.episode}});
+                              {"episode", scene.episode},
+                              {"area", area_json(scene.area)}});
     out.pop_back();
     out += ",\"ball\":[";
     append_pose(out, scene.ball);

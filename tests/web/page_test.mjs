@@ -207,6 +207,18 @@ function startMatch() {
 }
 const webFolder = () => join(option.demo, "..", "..", "web");
 
+/** The area's lines follow its size, and nothing is built anew for that. */
+async function checkShrinking(page) {
+  await page.until("an area", "window.k3d?.state === 'live' && k3d.area", patience);
+  const scenes = await page.value("k3d.scenes");
+  const [before] = await page.value("k3d.area");
+  await page.until(
+    "another size of the area",
+    `Math.abs(k3d.area[0] - ${before}) > 0.1 && k3d.area[1] === k3d.area[0]`, patience);
+  check("the area that is drawn shrinks", before <= 10 && before >= 8);
+  check("the scene is not told anew for that", (await page.value("k3d.scenes")) === scenes);
+}
+
 /** The next episode is a new server on the same port: an open page says so and goes on. */
 async function checkRestart(page, demo, port) {
   await page.value("k3d.choose('robot 5')");
@@ -253,6 +265,7 @@ async function main() {
     shown = demo ?? (option.match ? startMatch() : null);
     const port = await shown?.ready;
     await openPage(page, option.url ?? `http://127.0.0.1:${port}/`);
+    if (demo) await checkShrinking(page);
     await checkScene(page);
     if (demo) await checkRestart(page, demo, port);
     if (option.match) await checkBeliefs(page);

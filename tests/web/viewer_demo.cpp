@@ -3,6 +3,7 @@
 // work on it. Five robots walk in circles, the ball rolls between them.
 // usage: viewer_demo [PORT [WEB-FOLDER [EPISODE]]]   prints `ready http=PORT`; runs until ended
 #include <array>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
@@ -73,7 +74,8 @@ server::viewer::SceneView scene_at(double time, int episode) {
     scene.team_left = "keepers";
     scene.team_right = "takers";
     scene.episode = episode;
-    scene.area = Vec2(10, 10);
+    // It shrinks as the league's does, again and again.
+    scene.area = Vec2::Constant(10.0 - std::fmod(time, 30.0) / 15.0);
     for (const Walker& walker : kWalkers) {
         const double way = 0.5 * time + walker.unum;
         const Vec2 at = walker.centre + 0.8 * direction(way);

@@ -58,10 +58,6 @@ std::optional<talk::Sighting> opponent_to_tell(const world::Beliefs& b, int keep
     return std::nullopt;
 }
 
-Vec2 inside(const Vec2& point, double half) {
-    return {std::clamp(point.x(), -half, half), std::clamp(point.y(), -half, half)};
-}
-
 }  // namespace
 
 Vec2 birth_place(int unum, const KeepawayConfig& c) {
@@ -92,8 +88,8 @@ Keeper::Keeper(const KeeperSettings& settings, Policy policy, const skills::Kick
 Decision Keeper::decide(const world::Beliefs& b, const motion::State& body,
                         std::span<const talk::Report> reports) {
     if (!home_)
-        home_ = b.self.localised ? b.self.pose.position : birth_place(b.game.unum, settings_.keepaway);
-    if (body.kick_started) ++kicks_;
+        home_ =
+            b.self.localised ? b.self.pose.position : birth_place(b.game.unum, settings_.keepaway);
 
     Assignment part = roles_.update(b, reports, settings_.keeper);
     Decision d;
@@ -123,7 +119,6 @@ Decision Keeper::decide(const world::Beliefs& b, const motion::State& body,
     m.claims_k1 = is_k1;
     if (is_k1 && target_) m.target = target_;
     m.k2 = is_k1 ? k2_ : 0;
-    m.kicks = kicks_ % 16;
     m.opponent = opponent_to_tell(b, settings_.keepaway.keepers);
     d.say = m;
     return d;
@@ -289,7 +284,7 @@ motion::BodyRequest Keeper::walk_and_watch(const world::Beliefs& b, const Vec2& 
     skills::robots_of(b, settings_.skills.robot_clearance, obstacles_);
     if (b.ball.known) obstacles_.push_back({b.ball.position, settings_.skills.ball_clearance});
     const double half = settings_.keepaway.side / 2.0 - settings_.keeper.area_margin;
-    const Vec2 goal = inside(place, half);
+    const Vec2 goal = within_square(place, half);
     const double yaw = yaw_of(b.ball.position - b.self.pose.position);
     return go_to_.step(b.self.pose, {goal, yaw}, obstacles_, settings_.skills);
 }

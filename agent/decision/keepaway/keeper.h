@@ -81,7 +81,6 @@ class Keeper {
     std::vector<Vec2> in_time_;                ///< likewise
     std::vector<Scored> scored_;               ///< likewise
     int k2_ = 0;
-    int kicks_ = 0;
     bool was_k1_ = false;
 };
 

@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "common/clock/clock.h"
-
 namespace k3d::agent::getup {
 
 namespace {
@@ -14,13 +12,8 @@ namespace {
 using nao::JointArray;
 using nao::JointId;
 
-constexpr double kUpright = 0.85;    // up.z above this: the torso stands
-constexpr int kCalmCycles = 3;       // slow for this many cycles: at rest
+constexpr double kUpright = 0.85;  // up.z above this: the torso stands
 constexpr double kArmsDown = radians(-90.0);
-
-int cycles_of(double seconds) {
-    return std::max(1, static_cast<int>(std::lround(seconds / kCycleSeconds)));
-}
 
 /// Sets the same joint of both sides; `sign` -1 mirrors axes that point along or across the body.
 void set_pair(JointArray& pose, JointId right, JointId left, double right_angle, double sign) {
@@ -131,8 +124,8 @@ void GetUp::act_on(Lying lying) {
 /// Moves pose_ along the running keyframe; true when the last one has been reached.
 bool GetUp::advance_frames() {
     if (frames_.empty()) return true;
-    const Keyframe& frame = frames_.front();
-    const int length = cycles_of(frame.duration);
+    const motion::Keyframe& frame = frames_.front();
+    const int length = motion::cycles_of(frame.duration);
     ++cycle_;
     const double share = std::min(1.0, static_cast<double>(cycle_) / length);
     for (std::size_t i = 0; i < pose_.size(); ++i) {
@@ -148,7 +141,7 @@ bool GetUp::advance_frames() {
 bool GetUp::lies_still(const motion::Posture& posture) {
     calm_cycles_ = posture.rate.norm() < config_.rest_rate ? calm_cycles_ + 1 : 0;
     ++cycle_;
-    return calm_cycles_ >= kCalmCycles || cycle_ >= cycles_of(config_.rest_limit_s);
+    return calm_cycles_ >= motion::kCalmCycles || cycle_ >= motion::cycles_of(config_.rest_limit_s);
 }
 
 bool GetUp::step(const motion::BodySense& sense, const motion::Posture& posture,
@@ -176,7 +169,7 @@ bool GetUp::step(const motion::BodySense& sense, const motion::Posture& posture,
             } else {
                 // A robot that still rocks may yet fall: only quiet time counts.
                 cycle_ = posture.rate.norm() < config_.settle_rate ? cycle_ + 1 : 0;
-                running = cycle_ < cycles_of(config_.settle_s);
+                running = cycle_ < motion::cycles_of(config_.settle_s);
             }
             break;
     }

@@ -9,6 +9,7 @@
 
 #include "agent/motion/getup/config.h"
 #include "agent/motion/joint_targets.h"
+#include "agent/motion/keyframe.h"
 #include "agent/motion/motion.h"
 #include "agent/motion/posture.h"
 
@@ -31,15 +32,8 @@ class GetUp {
     bool step(const motion::BodySense& sense, const motion::Posture& posture,
               motion::JointTargets& out);
 
-    int tries() const { return tries_; }  ///< keyframe sequences begun since start()
-
   private:
     enum class Phase { Tuck, Rest, Roll, Sequence, Settle };
-
-    struct Keyframe {
-        double duration;
-        nao::JointArray pose;
-    };
 
     void begin(Phase phase);
     void act_on(Lying lying);
@@ -50,10 +44,11 @@ class GetUp {
     Config config_;
     Sequences sequences_;  ///< of this type
     Phase phase_ = Phase::Tuck;
-    std::vector<Keyframe> frames_;  ///< still to be played in this phase, the running one first
+    /// Still to be played in this phase, the running one first.
+    std::vector<motion::Keyframe> frames_;
     int cycle_ = 0;                 ///< of the running keyframe, or of the phase if it has none
     int calm_cycles_ = 0;           ///< in a row
-    int tries_ = 0;
+    int tries_ = 0;                 ///< keyframe sequences begun since start()
     bool fresh_ = true;        ///< pose_ is not known yet
     nao::JointArray from_{};   ///< where the running keyframe began
     nao::JointArray pose_{};   ///< wanted now

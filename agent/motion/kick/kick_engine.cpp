@@ -1,32 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "agent/motion/kick/kick_engine.h"
 
-#include <algorithm>
 #include <array>
-#include <cmath>
 
-#include "common/clock/clock.h"
+#include "agent/kinematics/leg.h"
 
 namespace k3d::agent::kick {
 
 namespace {
 
 using nao::JointArray;
-using nao::JointId;
 using enum nao::JointId;
+using kinematics::kLeftLeg;
+using kinematics::kRightLeg;
 
-/// Joints of one side in the order of LegFrames, and whether mirroring turns their sign.
-constexpr std::array<JointId, 6> kRightLeg{RHipYawPitch, RHipRoll,    RHipPitch,
-                                           RKneePitch,   RAnklePitch, RAnkleRoll};
-constexpr std::array<JointId, 6> kLeftLeg{LHipYawPitch, LHipRoll,    LHipPitch,
-                                          LKneePitch,   LAnklePitch, LAnkleRoll};
+/// Whether mirroring turns the sign of a leg's joint; they stand in the order of LegFrames.
 constexpr std::array<bool, 6> kSignTurns{false, true, false, false, false, true};
-
-constexpr int kCalmCycles = 3;  // slow for this many cycles: at rest
-
-int cycles_of(double seconds) {
-    return std::max(1, static_cast<int>(std::lround(seconds / kCycleSeconds)));
-}
 
 std::array<double, 6> angles_deg(const LegFrames& leg, std::size_t k) {
     return {leg.hip_yaw_pitch_deg[k], leg.hip_roll_deg[k],    leg.hip_pitch_deg[k],
@@ -38,7 +27,7 @@ double mixed(double near, double far, double far_share) {
 }
 
 /// Writes keyframe k of a leg, given for the kick with the right foot, onto the leg `joints`.
-void set_leg(JointArray& pose, const std::array<JointId, 6>& joints, const LegFrames& near,
+void set_leg(JointArray& pose, const kinematics::LegJoints& joints, const LegFrames& near,
              const LegFrames& far, std::size_t k, double far_share, bool mirrored) {
     const std::array<double, 6> near_deg = angles_deg(near, k);
     const std::array<double, 6> far_deg = angles_deg(far, k);
@@ -93,8 +82,8 @@ bool KickEngine::step(const motion::BodySense& sense, const motion::Posture& pos
         fresh_ = false;
         from_ = sense.joints;
     }
-    const Keyframe& frame = frames_[frame_];
-    const int length = cycles_of(frame.duration);
+    const motion::Keyframe& frame = frames_[frame_];
+    const int length = motion::cycles_of(frame.duration);
     const double share = static_cast<double>(++cycle_) / length;
     for (std::size_t i = nao::index(RShoulderPitch); i < from_.size(); ++i) {
         out.angle[i] = from_[i] + share * (frame.pose[i] - from_[i]);
@@ -110,7 +99,8 @@ bool KickEngine::step(const motion::BodySense& sense, const motion::Posture& pos
 /// A walk that begins while the body still swings from the kick may fall.
 bool KickEngine::is_quiet(const motion::Posture& posture) {
     calm_cycles_ = posture.rate.norm() < config_.settle_rate ? calm_cycles_ + 1 : 0;
-    return calm_cycles_ >= kCalmCycles || ++cycle_ >= cycles_of(config_.settle_limit_s);
+    return calm_cycles_ >= motion::kCalmCycles ||
+           ++cycle_ >= motion::cycles_of(config_.settle_limit_s);
 }
 
 }  // namespace k3d::agent::kick

@@ -9,6 +9,7 @@
 #pragma once
 
 #include "agent/motion/joint_targets.h"
+#include "agent/motion/keyframe.h"
 #include "agent/motion/kick/config.h"
 #include "agent/motion/kick/reach.h"
 #include "agent/motion/motion.h"
@@ -28,14 +29,7 @@ class KickEngine {
     bool step(const motion::BodySense& sense, const motion::Posture& posture,
               motion::JointTargets& out);
 
-    Strike strike() const { return strike_; }
-
   private:
-    struct Keyframe {
-        double duration;
-        nao::JointArray pose;
-    };
-
     /// Swings to mix for a strike at this distance, 0 being all of the first.
     struct Mix {
         const Swing& near;
@@ -48,7 +42,7 @@ class KickEngine {
     bool is_quiet(const motion::Posture& posture);
 
     Config config_;
-    std::vector<Keyframe> frames_;  ///< all of the running kick
+    std::vector<motion::Keyframe> frames_;  ///< all of the running kick
     std::size_t frame_ = 0;         ///< the running one
     int cycle_ = 0;                 ///< of the running keyframe, or of settling after the last
     int calm_cycles_ = 0;           ///< in a row

@@ -40,7 +40,6 @@ class Steps {
     void advance(const Walk& velocity, const Correction& correction);
 
     const Foot& foot(Side side) const { return feet_[static_cast<std::size_t>(side)]; }
-    Side swing() const { return swing_; }
     double phase() const { return phase_; }    ///< 0..1 within the step
     bool stepped() const { return stepped_; }  ///< a new step began in the last advance()
     /// Swing of the hips over the support foot, -1 right .. 1 left.

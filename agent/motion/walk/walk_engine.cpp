@@ -19,16 +19,6 @@ constexpr double kMaxError = 0.5;           // rad, beyond it the robot falls wh
 constexpr double kMaxHeadingError = 0.25;   // rad
 constexpr double kMaxLandingShift = 0.08;   // m
 
-Mat3 about_x(double angle) {
-    return Eigen::AngleAxisd(angle, Vec3::UnitX()).toRotationMatrix();
-}
-Mat3 about_y(double angle) {
-    return Eigen::AngleAxisd(angle, Vec3::UnitY()).toRotationMatrix();
-}
-Mat3 about_z(double angle) {
-    return Eigen::AngleAxisd(angle, Vec3::UnitZ()).toRotationMatrix();
-}
-
 double approach(double value, double target, double step) {
     return value + std::clamp(target - value, -step, step);
 }
@@ -71,10 +61,6 @@ void WalkEngine::start(const Walk& wish) {
 void WalkEngine::abandon() {
     velocity_ = {};
     moving_ = false;
-}
-
-Side WalkEngine::support() const {
-    return steps_.swing() == Side::Left ? Side::Right : Side::Left;
 }
 
 void WalkEngine::follow(const Walk& wish) {

@@ -25,11 +25,6 @@ class WalkEngine {
 
     /// Legs and arms of the stance, in which the robot waits and from which it walks.
     void stance(JointTargets& out) const;
-    /// Torso pitch of the stance.
-    double stance_pitch() const { return config_.lean; }
-
-    const Walk& velocity() const { return velocity_; }  ///< what the present steps are made for
-    Side support() const;
 
   private:
     void follow(const Walk& wish);
@@ -48,7 +43,7 @@ class WalkEngine {
     double scale_;       ///< leg length over type 0's
     double share_;       ///< of the configured top speeds and accelerations
     Steps steps_;
-    Walk velocity_;
+    Walk velocity_;                                ///< what the present steps are made for
     double pitch_error_ = 0.0, roll_error_ = 0.0;  ///< predicted, against the wanted lean
     double pitch_now_ = 0.0, roll_now_ = 0.0;
     double pitch_rate_ = 0.0, roll_rate_ = 0.0;

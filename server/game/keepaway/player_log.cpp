@@ -18,7 +18,7 @@ double uprightness(const body::Player& player) {
 PlayerLog::PlayerLog(const body::Scene& scene) {
     for (const auto& player : scene.players) {
         episode::PlayerResult result;
-        result.team = body::side_name(player->team);
+        result.team = wire::side_name(player->team);
         result.unum = player->unum;
         entries_.push_back({player->id, result, on_ground(*player)});
     }

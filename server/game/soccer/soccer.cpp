@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "server/game/soccer/drop_ball.h"
 #include "server/game/soccer/goal.h"
 #include "server/game/soccer/half_time.h"
 #include "server/game/soccer/kick_off.h"
@@ -59,6 +60,11 @@ void Soccer::judge(Match& match) {
 }
 
 void Soccer::kick_off(wire::Side side) { state_.enter(kick_off_mode(state_, side)); }
+
+void Soccer::drop_ball(body::Scene& scene) {
+    Match match{config_, state_, scene, memory_};
+    game::drop_ball(match, scene.ball.position());
+}
 
 void Soccer::pass(body::Scene& scene, const body::Player& player) {
     Match match{config_, state_, scene, memory_};

@@ -21,6 +21,8 @@ class Soccer {
     void after_step(body::Scene& scene);
     /// A trainer's `(kickOff Left|Right|None)`: None gives it to the left team in the first half, else right.
     void kick_off(wire::Side side);
+    /// A trainer's `(dropBall)`: where it is.
+    void drop_ball(body::Scene& scene);
     /// A player's `(pass)`.
     void pass(body::Scene& scene, const body::Player& player);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What never moves: ground, painted lines, goals, walls, landmarks, and the keepaway area.
-// Everything stands in the field frame: metres, z up.
+// What lies still: ground, painted lines, goals, walls, landmarks; and the keepaway area, which may
+// shrink. Everything stands in the field frame: metres, z up.
 import * as THREE from "three";
 
 import {teamColour} from "./robots.js";
@@ -67,21 +67,55 @@ function landmark({name, position}) {
   return group;
 }
 
-function keepawayArea([width, height]) {
-  const group = new THREE.Group();
-  const fill = new THREE.MeshBasicMaterial({color: 0xffffff, transparent: true, opacity: 0.07});
-  const edge = new THREE.MeshBasicMaterial({color: 0xffcf4a});
-  const [x, y] = [width / 2, height / 2];
-  group.add(plane(width, height, 0.003, fill));
-  for (const line of [[-x, -y, x, -y], [x, -y, x, y], [x, y, -x, y], [-x, y, -x, -y]]) {
-    group.add(stroke(line, 0.06, 0.009, edge));
+/** The keepaway area: made once, stretched to the size that each moment tells. */
+export class Area {
+  constructor() {
+    const edge = new THREE.MeshBasicMaterial({color: 0xffcf4a});
+    const width = 0.06;
+    const fill = new THREE.MeshBasicMaterial({color: 0xffffff, transparent: true, opacity: 0.07});
+    this.group = new THREE.Group();
+    this.fill = plane(1, 1, 0.003, fill);
+    this.across = [-1, 1].map(() => plane(1, width, 0.009, edge));
+    this.along = [-1, 1].map(() => plane(width, 1, 0.009, edge));
+    this.corners = [[-1, -1], [1, -1], [1, 1], [-1, 1]].map(([x, y]) => {
+      const disc = new THREE.Mesh(new THREE.CircleGeometry(width / 2, 12), edge);
+      disc.position.z = 0.009;
+      disc.userData = {x, y};
+      return disc;
+    });
+    this.group.add(this.fill, ...this.across, ...this.along, ...this.corners);
+    this.group.visible = false;
   }
-  return group;
+
+  /** `extent`: its full size, or null where there is no area. */
+  show(extent) {
+    this.group.visible = Boolean(extent);
+    if (!extent) return;
+    const [width, height] = extent;
+    this.fill.scale.set(width, height, 1);
+    this.across.forEach((line, i) => {
+      line.scale.x = width;
+      line.position.y = (i - 0.5) * height;
+    });
+    this.along.forEach((line, i) => {
+      line.scale.y = height;
+      line.position.x = (i - 0.5) * width;
+    });
+    for (const {position, userData} of this.corners) {
+      position.x = (userData.x * width) / 2;
+      position.y = (userData.y * height) / 2;
+    }
+  }
+
+  /** As it is drawn; undefined where there is none. */
+  get extent() {
+    return this.group.visible ? this.fill.scale.toArray().slice(0, 2) : undefined;
+  }
 }
 
 /** The still part of a scene. */
 export function buildGround(scene) {
-  const {field, area} = scene;
+  const {field} = scene;
   const group = new THREE.Group();
   const paint = new THREE.MeshLambertMaterial({color: 0xf2f5f2});
   group.add(plane(140, 140, -0.01, new THREE.MeshLambertMaterial({color: outerGrass})));
@@ -90,6 +124,5 @@ export function buildGround(scene) {
   for (const line of field.lines) group.add(stroke(line, lineWidth, 0.006, paint));
   for (const box of field.solids) group.add(solid(box));
   for (const mark of field.landmarks) group.add(landmark(mark));
-  if (area) group.add(keepawayArea(area));
   return group;
 }

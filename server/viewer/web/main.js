@@ -5,7 +5,7 @@ import * as THREE from "three";
 import {Beliefs} from "./beliefs.js";
 import * as board from "./board.js";
 import {View} from "./camera.js";
-import {buildGround} from "./ground.js";
+import {Area, buildGround} from "./ground.js";
 import {Players} from "./robots.js";
 import {openStream} from "./stream.js";
 
@@ -47,7 +47,7 @@ function discard(group) {
 }
 
 /** What tests see of the page. */
-function hookOf(show, view, choose, beliefs) {
+function hookOf(show, view, choose, beliefs, area) {
   const robots = () => show.players?.robots ?? [];
   return {
     get frames() { return show.frames; },
@@ -60,6 +60,8 @@ function hookOf(show, view, choose, beliefs) {
       return robots().map(({team, number, parts}) => ({team, number, parts: parts.length}));
     },
     get ballPosition() { return show.players?.ball.position.toArray(); },
+    get scenes() { return show.scenes; },
+    get area() { return area.extent; },
     get believers() { return beliefs.players; },
     get robotPositions() { return robots().map((robot) => robot.position.toArray()); },
     choose,
@@ -101,9 +103,19 @@ function start() {
   const {renderer, scene, sun} = openPicture(canvas);
   const view = new View(canvas);
   // latest: moment not drawn yet; shown: moment last drawn
-  const show = {ground: null, players: null, latest: null, shown: null, state: "", frames: 0};
+  const show = {
+    ground: null,
+    players: null,
+    latest: null,
+    shown: null,
+    state: "",
+    frames: 0,
+    scenes: 0,
+  };
   const {choose, keep} = cameras(show, view);
   const beliefs = new Beliefs(scene);
+  const area = new Area();
+  scene.add(area.group);
 
   const resize = () => {
     renderer.setSize(innerWidth, innerHeight, false);
@@ -122,7 +134,8 @@ function start() {
       show.players = new Players(message);
       show.players.move(message.now);
       scene.add(show.ground, show.players.group);
-      view.setExtent(message.area ?? [message.field.length, message.field.width]);
+      view.setExtent(message.now.area ?? [message.field.length, message.field.width]);
+      ++show.scenes;
       board.showScene(message);
       board.showRobotButtons(message.robots);
       keep();
@@ -145,6 +158,9 @@ function start() {
   renderer.setAnimationLoop((now) => {
     if (show.latest && show.players) {
       show.players.move(show.latest);
+      area.show(show.latest.area);
+      // An area that has shrunk is as large again in the next episode.
+      if (show.latest.area?.[0] > view.extent[0]) view.setExtent(show.latest.area);
       board.showMoment(show.latest);
       beliefs.expire(show.latest.time);
       show.shown = show.latest;
@@ -158,7 +174,7 @@ function start() {
     renderer.render(scene, view.camera);
     ++show.frames;
   });
-  window.k3d = hookOf(show, view, choose, beliefs);
+  window.k3d = hookOf(show, view, choose, beliefs, area);
 }
 
 try {

@@ -2,7 +2,7 @@
 // The server's stream: connects, tells what comes, and connects again whenever it ends, since the
 // next episode may be a new server on the same port. Format: server/viewer/scene_json.h.
 
-const knownVersion = 1;
+const knownVersion = 2;
 const firstPause = 300;  // ms between attempts, growing to the longest
 const longestPause = 2000;
 const silence = 2000;  // ms without a message until we say that the simulation stands still

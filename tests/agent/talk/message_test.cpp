@@ -30,7 +30,6 @@ Message any_message() {
     m.claims_k1 = *rc::gen::arbitrary<bool>();
     if (*rc::gen::arbitrary<bool>()) m.target = any_point();
     m.k2 = *rc::gen::inRange(0, 12);
-    m.kicks = *rc::gen::inRange(0, 16);
     if (*rc::gen::arbitrary<bool>()) {
         const Vec2 from_speaker(milli(-6290, 6290), milli(-6290, 6290));
         m.opponent = {*rc::gen::inRange(1, 12), m.position + from_speaker};
@@ -58,7 +57,6 @@ RC_GTEST_PROP(Message, RoundTripWithinTheGrid, ()) {
     RC_ASSERT(back->target.has_value() == m.target.has_value());
     if (m.target) expect_near(*back->target, *m.target);
     RC_ASSERT(back->k2 == m.k2);
-    RC_ASSERT(back->kicks == m.kicks);
     RC_ASSERT(back->opponent.has_value() == m.opponent.has_value());
     if (m.opponent) {
         RC_ASSERT(back->opponent->unum == m.opponent->unum);

@@ -24,6 +24,18 @@ TEST(Geometry, AngleAtTheMiddlePoint) {
     EXPECT_EQ(angle_at({1, 1}, {1, 1}, {5, 5}), 0.0);
 }
 
+TEST(Geometry, AQuarterTurnAboutEachAxisTakesTheNextToTheOneBehind) {
+    EXPECT_TRUE((about_x(kPi / 2.0) * Vec3::UnitY()).isApprox(Vec3::UnitZ(), 1e-12));
+    EXPECT_TRUE((about_y(kPi / 2.0) * Vec3::UnitZ()).isApprox(Vec3::UnitX(), 1e-12));
+    EXPECT_TRUE((about_z(kPi / 2.0) * Vec3::UnitX()).isApprox(Vec3::UnitY(), 1e-12));
+}
+
+TEST(Geometry, PointsOutsideASquareAreMovedToItsEdge) {
+    EXPECT_EQ(within_square({1.0, -2.0}, 3.0), Vec2(1.0, -2.0));
+    EXPECT_EQ(within_square({4.0, -2.0}, 3.0), Vec2(3.0, -2.0));
+    EXPECT_EQ(within_square({-4.0, 9.0}, 3.0), Vec2(-3.0, 3.0));
+}
+
 TEST(Geometry, PosesTurnLocalIntoGlobalAndBack) {
     const Pose2 pose{{2.0, -1.0}, radians(90.0)};
     EXPECT_TRUE(pose.to_global({1.0, 0.0}).isApprox(Vec2(2.0, 0.0), 1e-12));

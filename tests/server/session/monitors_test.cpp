@@ -265,6 +265,8 @@ TEST(Monitors, WhoMayCommand) {
     EXPECT_TRUE(may_command("all", "10.0.0.7:4000"));
     EXPECT_TRUE(may_command("loopback", "127.0.0.1:4000"));
     EXPECT_TRUE(may_command("loopback", "[::1]:4000"));
+    EXPECT_TRUE(may_command("loopback", "[::ffff:127.0.0.1]:4000"));
+    EXPECT_FALSE(may_command("loopback", "[::ffff:10.0.0.7]:4000"));
     EXPECT_FALSE(may_command("loopback", "10.0.0.7:4000"));
     EXPECT_FALSE(may_command("loopback", "[fe80::127.0]:4000"));
     EXPECT_FALSE(may_command("off", "127.0.0.1:4000"));

@@ -82,6 +82,21 @@ TEST_F(ViewerTest, TellsTheSceneAgainWhenRobotsChange) {
     }));
 }
 
+TEST_F(ViewerTest, AnAreaThatShrinksIsToldInMoments) {
+    RawPeer page(viewer_->port());
+    ASSERT_TRUE(page.open_socket(loop_));
+    SceneView scene = sample_scene();
+    EXPECT_EQ(told(page, scene)["kind"], "scene");
+    for (const double side : {9.9, 9.8}) {
+        scene.area = Vec2::Constant(side);
+        EXPECT_TRUE(told_eventually(page, scene, [side](const json& message) {
+            EXPECT_EQ(message["kind"], "moment")
+                << "robots would be built anew, beliefs never told";
+            return message["area"] == json({side, side});
+        }));
+    }
+}
+
 TEST_F(ViewerTest, EachPageIsToldTheScene) {
     RawPeer first(viewer_->port());
     ASSERT_TRUE(first.open_socket(loop_));

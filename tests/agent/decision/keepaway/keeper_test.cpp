@@ -141,16 +141,6 @@ TEST(Keeper, DoesNotShootIntoATakerThatComes) {
     EXPECT_GE(off_the_taker(careful), least - 1e-9);
 }
 
-TEST(Keeper, CountsItsKicksInTheMessage) {
-    Keeper k = keeper();
-    motion::State started;
-    started.kick_started = true;
-    const world::Beliefs b = at_ball(2.0);
-    k.decide(b, started, {});
-    k.decide(b, {}, {});
-    EXPECT_EQ(k.decide(b, started, {}).say->kicks, 2);
-}
-
 TEST(Keeper, TellsOfOpponentsInViewInTurns) {
     Keeper k = keeper();
     world::Beliefs b = at_ball(2.0);

@@ -3,6 +3,7 @@
 #include "server/game/soccer/set_play.h"
 
 #include "server/game/soccer/match_rig.h"
+#include "server/game/trainer.h"
 
 namespace k3d::server::game {
 namespace {
@@ -85,6 +86,23 @@ TEST_F(SoccerRig, WhoTakesAKickMayNotTouchAgain) {
     EXPECT_NEAR(scene.ball.position().x(), 5.0, 0.1) << "from where it was touched";
     touch(Side::Left, 2);
     EXPECT_EQ(mode(), PlayMode::PlayOn);
+}
+
+TEST_F(SoccerRig, ATrainersDroppedBallMayBeTouchedByWhoKickedIt) {
+    play(Side::Left, 1, {3.0, 9.0});
+    roll({3.0, 9.9, 0.042}, {0, 3, 0});
+    seconds(1.5);
+    ASSERT_EQ(mode(), PlayMode::KickInRight);
+    touch(Side::Right, 1);
+    ASSERT_EQ(mode(), PlayMode::PlayOn);
+    step_away(Side::Right, 1);
+    step(20);
+    Game match = game;
+    apply(wire::DropBallCommand{}, scene, match);
+    game = std::get<Soccer>(match);
+    step();
+    touch(Side::Right, 1);
+    EXPECT_EQ(mode(), PlayMode::PlayOn) << "its kick-in is no longer in force";
 }
 
 TEST_F(SoccerRig, AfterAnothersTouchTheTakerMayPlayOn) {

@@ -14,6 +14,7 @@
 #include "common/config/command_line.h"
 #include "common/log/log.h"
 #include "optimizer/backend/log_folder.h"
+#include "optimizer/drill/drill_process.h"
 #include "optimizer/drill/play.h"
 #include "optimizer/drill/stage.h"
 #include "optimizer/report/drill_table.h"
@@ -66,6 +67,7 @@ spec::DrillSpec resolve(config::CommandLine line, const std::string& name) {
 
 /// What server or agent refuse is a mistake of whoever called this program.
 int exit_code_of(const std::runtime_error& error) {
+    if (dynamic_cast<const process::StartError*>(&error) != nullptr) return drill::kExitCannotStart;
     const auto* failure = dynamic_cast<const drill::DrillFailure*>(&error);
     return failure != nullptr && failure->refused ? config::kExitUsage : config::kExitFailed;
 }

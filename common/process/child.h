@@ -19,6 +19,11 @@ class ProcessError : public std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
+/// The program is missing here, or no further process or file is to be had.
+class StartError : public ProcessError {
+    using ProcessError::ProcessError;
+};
+
 /// How a child ended.
 struct Exit {
     int code = 0;        ///< exit code, or 128 + signal
@@ -42,7 +47,7 @@ std::optional<int> port_in(const std::map<std::string, std::string>& ready,
 
 class Child {
   public:
-    /// Starts it in a new process group that is killed if the owner dies. Throws ProcessError with
+    /// Starts it in a new process group that is killed if the owner dies. Throws StartError with
     /// the program's name if it cannot be started.
     explicit Child(const Spawn& spawn);
     ~Child();  ///< kill() if still running

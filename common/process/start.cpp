@@ -18,7 +18,7 @@ namespace k3d::process {
 namespace {
 
 [[noreturn]] void fail(const Spawn& spawn, const std::string& what, int number) {
-    throw ProcessError("cannot start " + spawn.arguments[0] + ": " + what + std::strerror(number));
+    throw StartError("cannot start " + spawn.arguments[0] + ": " + what + std::strerror(number));
 }
 
 struct Pipe {
@@ -62,7 +62,7 @@ void become(char* const* arguments, pid_t owner, int input, int output, int erro
 }  // namespace
 
 Started start(const Spawn& spawn) {
-    if (spawn.arguments.empty()) throw ProcessError("cannot start a program without a name");
+    if (spawn.arguments.empty()) throw StartError("cannot start a program without a name");
     std::vector<char*> arguments;
     for (const std::string& argument : spawn.arguments) {
         arguments.push_back(const_cast<char*>(argument.c_str()));

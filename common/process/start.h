@@ -41,7 +41,7 @@ struct Started {
     bool captured = false;
 };
 
-/// Throws ProcessError if the program cannot be started.
+/// Throws StartError if the program cannot be started.
 Started start(const Spawn& spawn);
 
 }  // namespace k3d::process

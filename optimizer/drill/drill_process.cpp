@@ -23,8 +23,17 @@ void add_set(std::vector<std::string>& words, const std::string& setting) {
     words.insert(words.end(), {"--set", setting});
 }
 
-episode::Ending fail(std::string reason, std::optional<int> hopeless = {}) {
-    return tl::unexpected(episode::Failure{std::move(reason), std::nullopt, hopeless});
+episode::Ending fail(std::string reason) {
+    return tl::unexpected(episode::Failure{std::move(reason), std::nullopt, std::nullopt});
+}
+
+/// Why the drill's program ended without a result.
+episode::Failure failure_of(const process::Exit& exit, const std::string& folder) {
+    episode::Failure failure{episode::describe_end("drill", exit, log_of(folder)), {}, {}};
+    if (exit.signalled) return failure;
+    if (exit.code == config::kExitUsage) failure.hopeless = config::kExitUsage;
+    failure.of_machine = exit.code == kExitCannotStart;
+    return failure;
 }
 
 /// The one line of the results, checked.
@@ -84,9 +93,7 @@ DrillProcess::DrillProcess(const episode::Job& job, const std::string& folder)
 std::optional<episode::Ending> DrillProcess::poll() {
     if (const auto exit = child_.poll()) {
         if (exit->code == 0) return read(job_, folder_);
-        const bool usage = !exit->signalled && exit->code == config::kExitUsage;
-        return fail(episode::describe_end("drill", *exit, log_of(folder_)),
-                    usage ? std::optional(config::kExitUsage) : std::nullopt);
+        return tl::unexpected(failure_of(*exit, folder_));
     }
     const std::chrono::duration<double> taken = episode::Clock::now() - started_;
     if (taken.count() < job_.task.deadline_s) return std::nullopt;

@@ -16,9 +16,13 @@ namespace k3d::optimizer::drill {
 /// from its tables, other set-ups.
 std::vector<std::string> drill_command(const episode::Job& job, const std::string& folder);
 
+/// Exit code of a drill whose server or agent could not be started, which is this machine's fault
+/// and says nothing of the job.
+inline constexpr int kExitCannotStart = 3;
+
 class DrillProcess {
   public:
-    /// Starts it; all files go to `folder`, which exists. Throws process::ProcessError.
+    /// Starts it; all files go to `folder`, which exists. Throws process::StartError.
     DrillProcess(const episode::Job& job, const std::string& folder);
 
     /// Does what is due, without waiting. The ending comes once, and then no process is left.

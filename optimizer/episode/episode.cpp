@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "common/config/command_line.h"
 #include "optimizer/episode/collect.h"
 
 namespace k3d::optimizer::episode {
@@ -15,7 +16,6 @@ namespace {
 using std::chrono::milliseconds;
 using std::chrono::seconds;
 
-constexpr int kExitUsage = 2;
 constexpr milliseconds kReadyPoll{5};
 /// A server that has lost an agent ends the episode by itself; in the lobby it would wait on.
 constexpr seconds kServerPatience{5};
@@ -66,7 +66,7 @@ std::optional<Ending> Episode::start_agents_when_ready() {
         if (!port) return fail("the server's ready line names no agent port", 1);
         try {
             start_agents(*port);
-        } catch (const process::ProcessError& error) {
+        } catch (const process::StartError& error) {
             return tl::unexpected(Failure{error.what(), std::nullopt, 1, true});
         }
         phase_ = Phase::Playing;
@@ -102,7 +102,9 @@ std::optional<Ending> Episode::watch() {
         const auto exit = agent.child.poll();
         if (!exit) continue;
         const std::string end = describe_end(agent.name, *exit, agent.log_file);
-        if (!agent.foreign && exit->code == kExitUsage) return fail(end, kExitUsage);
+        if (!agent.foreign && exit->code == config::kExitUsage) {
+            return fail(end, config::kExitUsage);
+        }
         if (deserter_.empty()) deserted_ = Clock::now();
         // Who ended in disorder is the cause, and the others may only have followed.
         if (deserter_.empty() || (deserter_code_ == 0 && exit->code != 0)) {

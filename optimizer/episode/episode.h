@@ -19,7 +19,7 @@ using Clock = std::chrono::steady_clock;
 class Episode {
   public:
     /// Starts the server; all files go to `folder`, which exists. `http_port` -1: no page. Throws
-    /// process::ProcessError if the server's program cannot be started.
+    /// process::StartError if the server's program cannot be started.
     Episode(const spec::MatchSpec& spec, const Task& task, std::string folder, int http_port);
 
     /// Does what is due, without waiting. The ending comes once, and then no process is left.

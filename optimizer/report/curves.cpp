@@ -111,17 +111,20 @@ Curves curves_of(const ledger::Ledger& ledger, const std::vector<std::string>& n
     return out;
 }
 
-Statistics paired_difference(const std::vector<ledger::Row>& rows) {
+Statistics paired_difference(const std::vector<ledger::Row>& rows, int scenarios) {
     std::map<std::uint64_t, double> untuned;  // by seed
     for (const ledger::Row& row : rows) {
         if (row.key.phase == Phase::Baseline) untuned[row.seed] = row.fitness;
     }
-    std::vector<double> differences;
+    std::map<int, std::vector<double>> differences;  // by scenario, or by episode
     for (const ledger::Row& row : rows) {
         if (row.key.phase != Phase::Test || !untuned.contains(row.seed)) continue;
-        differences.push_back(row.fitness - untuned.at(row.seed));
+        const int trial = scenarios > 0 ? row.key.episode % scenarios : row.key.episode;
+        differences[trial].push_back(row.fitness - untuned.at(row.seed));
     }
-    return statistics(differences);
+    std::vector<double> means;
+    for (const auto& [trial, values] : differences) means.push_back(*statistics(values).mean);
+    return statistics(means);
 }
 
 }  // namespace k3d::optimizer::report

@@ -161,10 +161,12 @@ std::string reproduction_html(const Reproduction& r) {
         "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">"
         "<meta name=\"viewport\" content=\"width=device-width\"><title>Reproduction</title>\n"
         "<style>{}{}</style></head><body>\n<h1>The paper's results, reproduced</h1>\n<p>Budget {}: "
-        "{}</p>\n<p class=\"dim\">Champions were chosen on validation seeds and play here once, on test "
+        "{}</p>\n<p class=\"dim\">Champions were chosen on validation seeds and play here once, on "
+        "test "
         "seeds that no search has seen, on the exact stepper with noise, six processes an episode "
-        "(drills: two). All rows of a table share seeds, skills and takers. Who is best of "
-        "table 1 has the best validated mean; runs are validated on seeds of their own. Report by version {}.</p>\n",
+        "(drills: two). All rows of a table share seeds, skills and takers. The champion "
+        "of table 1 is the one with the best validated mean; each run is validated on seeds of its "
+        "own. Report by version {}.</p>\n",
         page_style(), kPlotStyle, escape(r.budget), escape(r.description), escape(r.version));
     out += searches_html(r);
     for (const std::string& part : spec::kParts) {

@@ -78,11 +78,19 @@ std::string champion_table(const RunFacts& run, const std::vector<ledger::Row>& 
                               fitness_of(rows, Phase::Validation, id));
     }
     out += statistics_row("test seeds (never seen before)", fitness_of(rows, Phase::Test));
-    out += statistics_row("untuned agent on the test seeds", fitness_of(rows, Phase::Baseline));
-    out += statistics_row("champion less untuned, by seed", paired_difference(rows));
-    return out + "</table></div>\n<p class=\"dim\">Only the test row is a claim about the champion: "
-                 "the rows above it helped to choose it. Intervals are Student's t on episodes of this "
-                 "one run.</p>\n";
+    out += statistics_row("untuned (the task's settings alone) on the test seeds",
+                          fitness_of(rows, Phase::Baseline));
+    const int scenarios = spec::scenarios_of(run.experiment.task.name);
+    out += statistics_row(
+        scenarios > 0 ? "champion less untuned, by scenario" : "champion less untuned, by seed",
+        paired_difference(rows, scenarios));
+    const char* trials =
+        scenarios > 0 ? ", that of the difference on scenarios, each the mean of its episodes" : "";
+    return out + fmt::format(
+                     "</table></div>\n<p class=\"dim\">Only the test row is a claim about "
+                     "the champion: the rows above it helped to choose it. Intervals are "
+                     "Student's t on episodes of this one run{}.</p>\n",
+                     trials);
 }
 
 std::string values_table(const RunFacts& run) {
@@ -214,6 +222,7 @@ std::string report_html(const RunFacts& run) {
     const auto totals = run.ledger.totals();
     const spec::Experiment& e = run.experiment;
     const std::string measure = fitness::measure(e.task);
+    const int scenarios = spec::scenarios_of(e.task.name);
     std::string out = fmt::format(
         "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">"
         "<meta name=\"viewport\" content=\"width=device-width\"><title>{0}</title>\n"
@@ -225,7 +234,8 @@ std::string report_html(const RunFacts& run) {
     out += "<div class=\"figures\">\n" +
            figure(with_interval(fitness_of(rows, Phase::Test)), "champion, test seeds") +
            figure(with_interval(fitness_of(rows, Phase::Baseline)), "untuned, same seeds") +
-           figure(with_interval(paired_difference(rows)), "difference by seed") +
+           figure(with_interval(paired_difference(rows, scenarios)),
+                  scenarios > 0 ? "difference by scenario" : "difference by seed") +
            figure(std::to_string(totals.episodes), "episodes") +
            figure(fmt::format("{:.2f} h", totals.simulated_s / 3600.0), "simulated") +
            figure(std::to_string(totals.failed), "failed episodes") + "</div>\n";

@@ -106,6 +106,8 @@ TEST_F(Drills, WhatCannotBeDrilledIsNamed) {
     EXPECT_EQ(run({"walk", "--set", "server:physics.steper=fast"}), 2);
     EXPECT_THAT(content("said"), HasSubstr("steper"));
     EXPECT_EQ(run({"walk", "--set", "agent_program=/bin/false"}), 1) << content("said");
+    EXPECT_EQ(run({"walk", "--set", "server_program=/nowhere/server"}), 3);
+    EXPECT_THAT(content("said"), HasSubstr("cannot start /nowhere/server"));
 }
 
 }  // namespace

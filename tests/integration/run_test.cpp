@@ -185,6 +185,15 @@ TEST_F(Runs, WhatADrillsProgramsRefuseEndsTheRunAtOnce) {
     }
 }
 
+TEST_F(Runs, ADrillsProgramThatCannotBeStartedIsNoFailureOfACandidate) {
+    const std::string walk = K3D_SOURCE_DIR "/optimizer/experiments/walk_forward.toml";
+    EXPECT_EQ(run({"run", walk, "--run", path("a"), "--set", "task.server_program=/nowhere/server"},
+                  "said"),
+              1);
+    EXPECT_THAT(content("said"), HasSubstr("cannot start /nowhere/server: No such file"));
+    EXPECT_THAT(shown("a", "--csv"), Not(HasSubstr("\ntrain,")));
+}
+
 TEST_F(Runs, MistakesAreNamed) {
     write("bad.toml", "name = \"x\"\n[parameters.keeper.hold_treshold]\nlower = 1.0\n");
     EXPECT_EQ(run({"run", path("bad.toml"), "--run", path("x")}, "said"), 2);

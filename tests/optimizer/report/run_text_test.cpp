@@ -154,9 +154,12 @@ TEST(Curves, OfTheRowsAlone) {
         EXPECT_EQ(c.parameters[0].best[0], 10.0);
         EXPECT_EQ(c.parameters[0].low[0], 1.0);
         EXPECT_TRUE(std::isnan(c.parameters[0].best[1])) << "its candidates are not known yet";
-        const Statistics difference = paired_difference(ledger.rows());
+        const Statistics difference = paired_difference(ledger.rows(), 0);
         EXPECT_EQ(difference.n, 2U);
         EXPECT_EQ(*difference.mean, 3.5);
+        const Statistics by_scenario = paired_difference(ledger.rows(), 1);
+        EXPECT_EQ(by_scenario.n, 1U) << "the same scenario twice is one trial";
+        EXPECT_EQ(*by_scenario.mean, 3.5);
     }
     std::filesystem::remove_all(folder);
 }

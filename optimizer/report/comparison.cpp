@@ -105,30 +105,6 @@ std::pair<std::vector<T>, std::vector<T>> pairs_of(const std::map<int, T>& a,
     return out;
 }
 
-/// Means of both rows over the episodes of a scenario that both have, scenario by scenario.
-/// Episodes that repeat a scenario are no new trials of how players compare on others.
-std::pair<std::vector<double>, std::vector<double>> scenario_pairs_of(
-    const std::map<int, double>& a, const std::map<int, double>& b, int scenarios) {
-    struct Sums {
-        double a = 0.0, b = 0.0, n = 0.0;
-    };
-    std::map<int, Sums> by_scenario;
-    for (const auto& [episode, value] : a) {
-        const auto other = b.find(episode);
-        if (other == b.end()) continue;
-        Sums& sums = by_scenario[episode % scenarios];
-        sums.a += value;
-        sums.b += other->second;
-        sums.n += 1.0;
-    }
-    std::pair<std::vector<double>, std::vector<double>> out;
-    for (const auto& [scenario, sums] : by_scenario) {
-        out.first.push_back(sums.a / sums.n);
-        out.second.push_back(sums.b / sums.n);
-    }
-    return out;
-}
-
 template <typename T>
 std::vector<T> sample_of(const std::map<int, T>& by_episode) {
     std::vector<T> sample;
@@ -200,8 +176,7 @@ ComparedLine line_of(const Comparison& comparison, const ComparedRow& row,
     }
     if (&row == reference) return line;
     const int scenarios = spec::scenarios_of(comparison.table.task.name);
-    const auto [ours, theirs] =
-        scenarios > 0 ? scenario_pairs_of(values, base, scenarios) : pairs_of(values, base);
+    const auto [ours, theirs] = trial_pairs(values, base, scenarios);
     line.against = paired(ours, theirs);
     if (line.against && figure.is_signed) line.against->ratio.reset();
     return line;

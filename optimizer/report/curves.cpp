@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "common/math/sample.h"
+#include "optimizer/report/paired.h"
 
 namespace k3d::optimizer::report {
 
@@ -112,19 +113,15 @@ Curves curves_of(const ledger::Ledger& ledger, const std::vector<std::string>& n
 }
 
 Statistics paired_difference(const std::vector<ledger::Row>& rows, int scenarios) {
-    std::map<std::uint64_t, double> untuned;  // by seed
+    std::map<int, double> champion, untuned;  // by episode, whose seed both have
     for (const ledger::Row& row : rows) {
-        if (row.key.phase == Phase::Baseline) untuned[row.seed] = row.fitness;
+        if (row.key.phase == Phase::Test) champion[row.key.episode] = row.fitness;
+        if (row.key.phase == Phase::Baseline) untuned[row.key.episode] = row.fitness;
     }
-    std::map<int, std::vector<double>> differences;  // by scenario, or by episode
-    for (const ledger::Row& row : rows) {
-        if (row.key.phase != Phase::Test || !untuned.contains(row.seed)) continue;
-        const int trial = scenarios > 0 ? row.key.episode % scenarios : row.key.episode;
-        differences[trial].push_back(row.fitness - untuned.at(row.seed));
-    }
-    std::vector<double> means;
-    for (const auto& [trial, values] : differences) means.push_back(*statistics(values).mean);
-    return statistics(means);
+    const auto [ours, theirs] = trial_pairs(champion, untuned, scenarios);
+    std::vector<double> differences;
+    for (std::size_t i = 0; i < ours.size(); ++i) differences.push_back(ours[i] - theirs[i]);
+    return statistics(differences);
 }
 
 }  // namespace k3d::optimizer::report

@@ -44,9 +44,7 @@ struct Curves {
 /// `names`: of the values of a candidate; empty if candidates are networks.
 Curves curves_of(const ledger::Ledger& ledger, const std::vector<std::string>& names);
 
-/// Differences champion less untuned on the same test seeds. Where episodes play so many fixed
-/// scenarios in turn (0: each has its own), they are of the scenarios, each the mean of its
-/// episodes: episodes that repeat one are no new trials of how both compare on others.
+/// Differences champion less untuned on the same test seeds, in the pairs of trial_pairs().
 Statistics paired_difference(const std::vector<ledger::Row>& rows, int scenarios);
 
 }  // namespace k3d::optimizer::report

@@ -117,6 +117,29 @@ double correlation(const std::vector<double>& a, const std::vector<double>& b) {
 
 }  // namespace
 
+std::pair<std::vector<double>, std::vector<double>> trial_pairs(const std::map<int, double>& a,
+                                                                const std::map<int, double>& b,
+                                                                int scenarios) {
+    struct Sums {
+        double a = 0.0, b = 0.0, n = 0.0;
+    };
+    std::map<int, Sums> by_trial;
+    for (const auto& [episode, value] : a) {
+        const auto other = b.find(episode);
+        if (other == b.end()) continue;
+        Sums& sums = by_trial[scenarios > 0 ? episode % scenarios : episode];
+        sums.a += value;
+        sums.b += other->second;
+        sums.n += 1.0;
+    }
+    std::pair<std::vector<double>, std::vector<double>> out;
+    for (const auto& [trial, sums] : by_trial) {
+        out.first.push_back(sums.a / sums.n);
+        out.second.push_back(sums.b / sums.n);
+    }
+    return out;
+}
+
 std::optional<Paired> paired(const std::vector<double>& a, const std::vector<double>& b) {
     K3D_ASSERT(a.size() == b.size());
     if (a.size() < 2) return std::nullopt;

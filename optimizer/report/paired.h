@@ -4,10 +4,19 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace k3d::optimizer::report {
+
+/// Of two rows by episode, the samples to compare: what both have, in order. Where episodes play so
+/// many fixed scenarios in turn (0: each has its own), they are the means over a scenario's
+/// episodes: those that repeat one are no new trials of how players compare on others.
+std::pair<std::vector<double>, std::vector<double>> trial_pairs(const std::map<int, double>& a,
+                                                                const std::map<int, double>& b,
+                                                                int scenarios);
 
 /// `a` less `b`, pair by pair.
 struct Paired {

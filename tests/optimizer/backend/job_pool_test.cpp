@@ -68,6 +68,21 @@ class Jobs : public FakePrograms {
             return stat.empty() || stat.find(") Z") != std::string::npos;
         });
     }
+
+    /// Once all is over, the first job's result is told, and then why the second one has none.
+    void expect_result_then_fault(JobPool& pool, const std::string& fault) const {
+        ASSERT_TRUE(await([this] { return all_over(); }));
+        const auto ended = pool.poll();
+        ASSERT_EQ(ended.size(), 1U);
+        EXPECT_EQ(ended[0].seed, 1U);
+        EXPECT_TRUE(ended[0].ending.has_value());
+        try {
+            pool.poll();
+            FAIL() << "what this machine cannot play is no failure of the episode";
+        } catch (const std::runtime_error& error) {
+            EXPECT_EQ(error.what(), fault);
+        }
+    }
 };
 
 TEST_F(Jobs, AFullDiskIsNoFailureAndLosesNoResult) {
@@ -85,17 +100,7 @@ TEST_F(Jobs, AFullDiskIsNoFailureAndLosesNoResult) {
     EXPECT_TRUE(pool.poll().empty());
     disk_is_full = true;
     std::ofstream(base_ + "/gate").flush();
-    ASSERT_TRUE(await([this] { return all_over(); }));
-    const auto ended = pool.poll();
-    ASSERT_EQ(ended.size(), 1U);
-    EXPECT_EQ(ended[0].seed, 1U);
-    EXPECT_TRUE(ended[0].ending.has_value());
-    try {
-        pool.poll();
-        FAIL() << "the failed one was no failure, and nobody is told why";
-    } catch (const std::runtime_error& error) {
-        EXPECT_EQ(error.what(), base_ + "/logs: only 0 KiB are left on this disk");
-    }
+    expect_result_then_fault(pool, base_ + "/logs: only 0 KiB are left on this disk");
 }
 
 TEST_F(Jobs, AProgramThatCannotBeStartedIsNoFailureAndLosesNoResult) {
@@ -113,17 +118,7 @@ TEST_F(Jobs, AProgramThatCannotBeStartedIsNoFailureAndLosesNoResult) {
     // Nobody looks until the first is over and the second one's server waits for its agents.
     ASSERT_TRUE(await([this] { return std::filesystem::exists(base_ + "/ready-2"); }));
     std::ofstream(base_ + "/gate").flush();
-    ASSERT_TRUE(await([this] { return all_over(); }));
-    const auto ended = pool.poll();
-    ASSERT_EQ(ended.size(), 1U);
-    EXPECT_EQ(ended[0].seed, 1U);
-    EXPECT_TRUE(ended[0].ending.has_value());
-    try {
-        pool.poll();
-        FAIL() << "an episode that this machine cannot play is no failure of the episode";
-    } catch (const std::runtime_error& error) {
-        EXPECT_STREQ(error.what(), "cannot start /nowhere/taker: No such file or directory");
-    }
+    expect_result_then_fault(pool, "cannot start /nowhere/taker: No such file or directory");
 }
 
 TEST_F(Jobs, AProgramThatStartsAndFailsIsTheJobsMatter) {

@@ -6,6 +6,8 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
+#include <functional>
+
 #include "common/episode/result.h"
 
 namespace k3d::optimizer::report {
@@ -218,16 +220,23 @@ TEST(Comparison, SomeEpisodesOfADrillAreSomeScenarios) {
     EXPECT_THAT(comparison_text(c), HasSubstr("pairs are the 5 scenarios"));
 }
 
-TEST(Comparison, RollsAndMatchesArePairedBySeed) {
-    Given given = two_rounds();
-    given.table.task.name = "ball_prediction";
+using Metrics = decltype(k3d::episode::Result::metrics);
+
+/// Gives every episode these figures.
+void measure(Given& given, const std::function<Metrics(const ledger::Row&)>& metrics_of) {
     for (ComparedRow& row : given.rows) {
         for (ledger::Row& r : row.rows) {
             auto result = k3d::episode::from_line(r.result);
-            result.metrics = {{"finish_loss", -r.fitness}};
+            result.metrics = metrics_of(r);
             r.result = k3d::episode::to_line(result);
         }
     }
+}
+
+TEST(Comparison, RollsAndMatchesArePairedBySeed) {
+    Given given = two_rounds();
+    given.table.task.name = "ball_prediction";
+    measure(given, [](const ledger::Row& r) { return Metrics{{"finish_loss", -r.fitness}}; });
     const Comparison c = given.compared();
     EXPECT_EQ(c.figures.at(0).lines.at(0).against->n, 24u);
     EXPECT_THAT(comparison_text(c), HasSubstr("against: Row rules, by seed\n"));
@@ -236,15 +245,10 @@ TEST(Comparison, RollsAndMatchesArePairedBySeed) {
 TEST(Comparison, EquationOneHasNoRatio) {
     Given given = two_rounds();
     given.table.task.name = "kick";
-    for (ComparedRow& row : given.rows) {
-        for (ledger::Row& r : row.rows) {
-            auto result = k3d::episode::from_line(r.result);
-            // Its means over a scenario are above 0, as those of the distance are.
-            const double value = r.key.episode < 12 ? -0.5 : 1.0;
-            result.metrics = {{"fitness_capped", value}, {"distance_m", 4.0}};
-            r.result = k3d::episode::to_line(result);
-        }
-    }
+    measure(given, [](const ledger::Row& r) {
+        // Its means over a scenario are above 0, as those of the distance are.
+        return Metrics{{"fitness_capped", r.key.episode < 12 ? -0.5 : 1.0}, {"distance_m", 4.0}};
+    });
     const Comparison c = given.compared();
     ASSERT_EQ(c.figures.at(0).name, "fitness_capped");
     EXPECT_FALSE(c.figures.at(0).lines.at(0).against->ratio);

@@ -55,11 +55,14 @@ struct Files {
 
 class Simulation {
   public:
-    /// Opens all files. Throws std::runtime_error.
     Simulation(const Config& config, const Files& files);
 
     /// Opens all ports. Throws net::NetError. "ready agent=40123 monitor=40124 http=40125"
     std::string open_ports();
+
+    /// Opens all files that are written. Only once the ports are open: a second start that finds
+    /// them taken must leave the first one's files whole. Throws std::runtime_error.
+    void open_files();
 
     /// Runs cycles until the game's episodes are over, a trainer ends it, or `stop` is set. Throws
     /// std::runtime_error if results or stage times cannot be written after all.

@@ -58,17 +58,20 @@ Simulation::Simulation(const Config& config, const Files& files)
       stages_(!config.stage_times.empty()),
       lobby_(has_lobby(config)),
       lobby_since_(net::Clock::now()) {
-    using Begin = recording::OutputFile::Begin;
-    if (!files.results.empty()) {
-        results_.emplace("results", files.results, Begin::BehindWhatIsThere);
-    }
-    if (stages_.on()) stage_times_.emplace("stage times", config.stage_times, Begin::Anew);
-    if (!files.monitor_log.empty()) monitor_log_.emplace(files.monitor_log, config.monitor);
-    if (!files.record.empty()) {
-        const std::string text = config::print(config::describing(config_));
-        recorder_.emplace(files.record, recording::Header{std::string(code_version()), text});
-    }
     if (lobby_) clock_.count = kLobbyPercepts;
+}
+
+void Simulation::open_files() {
+    using Begin = recording::OutputFile::Begin;
+    if (!files_.results.empty()) {
+        results_.emplace("results", files_.results, Begin::BehindWhatIsThere);
+    }
+    if (stages_.on()) stage_times_.emplace("stage times", config_.stage_times, Begin::Anew);
+    if (!files_.monitor_log.empty()) monitor_log_.emplace(files_.monitor_log, config_.monitor);
+    if (!files_.record.empty()) {
+        const std::string text = config::print(config::describing(config_));
+        recorder_.emplace(files_.record, recording::Header{std::string(code_version()), text});
+    }
 }
 
 std::string Simulation::open_ports() {

@@ -4,8 +4,11 @@
 #include <fmt/format.h>
 
 #include <csignal>
+#include <filesystem>
 #include <iostream>
+#include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "common/config/command_line.h"
@@ -101,6 +104,7 @@ int run(const Options& options) {
     }
     k3d::server::Simulation simulation(config, files);
     const std::string ready = simulation.open_ports();
+    simulation.open_files();
     std::signal(SIGINT, [](int) { stop_requested = 1; });
     std::signal(SIGTERM, [](int) { stop_requested = 1; });
     std::signal(SIGPIPE, SIG_IGN);
@@ -127,9 +131,29 @@ int report(const std::string& file, const k3d::server::ReplayOutcome& outcome, b
     return 0;
 }
 
+/// A replay has the configuration of its recording: flags of a live run, which stand before the
+/// command, would be ignored, or, as --record, destroy the recording.
+void refuse_flags_of_a_live_run(const CLI::App& app) {
+    for (const CLI::Option* option : app.get_options()) {
+        if (option->count() == 0) continue;
+        throw std::invalid_argument(fmt::format(
+            "{}: no flag may stand before replay; its own stand behind it", option->get_name()));
+    }
+}
+
+void refuse_to_overwrite(const std::string& recording, const k3d::server::Files& files) {
+    for (const auto& [flag, file] :
+         {std::pair("--results", files.results), std::pair("--monitor-log", files.monitor_log)}) {
+        std::error_code none_yet;
+        if (!std::filesystem::equivalent(recording, file, none_yet)) continue;
+        throw std::invalid_argument(fmt::format("{}: {} is the recording", flag, file));
+    }
+}
+
 int replay(const Options& options) {
     k3d::log::start("k3d-server", options.line.log_level);
     const std::string& file = options.replayed;
+    refuse_to_overwrite(file, options.files);
     k3d::server::ReplayOutcome outcome;
     try {
         k3d::server::recording::Replay recording(file);
@@ -143,6 +167,7 @@ int replay(const Options& options) {
                                "configuration in " + file);
         config.stage_times.clear();  // those of the run that was recorded stay
         k3d::server::Simulation simulation(config, options.files);
+        simulation.open_files();
         simulation.replay(recording, outcome);
         return report(file, outcome, recording.complete());
     } catch (const k3d::server::recording::RecordError& error) {
@@ -175,6 +200,8 @@ int main(int argc, char** argv) {
     add_flags(app, options);
     add_replay(app, options);
     return k3d::config::run_program(app, argc, argv, "k3d-server", [&] {
-        return options.replayed.empty() ? run(options) : replay(options);
+        if (options.replayed.empty()) return run(options);
+        refuse_flags_of_a_live_run(app);
+        return replay(options);
     });
 }

@@ -40,18 +40,21 @@ class Recording : public ::testing::Test {
         return text.str();
     }
 
-    /// Exit code and output of `k3d-server replay`.
-    std::pair<int, std::string> replay(const std::string& recording,
-                                       const std::vector<std::string>& flags = {}) const {
+    /// Exit code and output of a k3d-server that ends by itself.
+    std::pair<int, std::string> ended(const std::vector<std::string>& flags) const {
         process::Spawn spawn;
-        spawn.arguments = {std::string(K3D_BIN_DIR) + "/k3d-server", "replay", recording,
-                           "--log-level", "off"};
+        spawn.arguments = {std::string(K3D_BIN_DIR) + "/k3d-server"};
         spawn.arguments.insert(spawn.arguments.end(), flags.begin(), flags.end());
-        spawn.log_file = file("replay.log");
+        spawn.log_file = file("ended.log");
         process::Child child(spawn);
         const auto exit = child.wait(kPatience);
         EXPECT_TRUE(exit);
-        return {exit ? exit->code : -1, bytes(file("replay.log"))};
+        return {exit ? exit->code : -1, bytes(file("ended.log"))};
+    }
+    std::pair<int, std::string> replay(const std::string& recording,
+                                       std::vector<std::string> flags = {}) const {
+        flags.insert(flags.begin(), {"replay", recording, "--log-level", "off"});
+        return ended(flags);
     }
 
     std::filesystem::path folder_;
@@ -143,6 +146,44 @@ TEST_F(Recording, WhatAKilledServerLeavesReplays) {
     const auto [code, text] = replay(recording);
     EXPECT_EQ(code, 0) << text;
     EXPECT_THAT(text, HasSubstr("replay equal; the recording has no end, its server was killed"));
+}
+
+TEST_F(Recording, IsLeftWholeByASecondStartOnTheSamePort) {
+    const std::vector<std::string> files{"--record", file("match.rec"), "--monitor-log",
+                                         file("match.log")};
+    ServerProcess server(fast_with_one_agent(files));
+    WireAgent agent(server);
+    agent.begin_match("Reds");
+    for (int i = 0; i < 50; ++i) agent.step("(rae1 1)");
+    std::vector<std::string> flags{"--agent-port", std::to_string(server.agent_port()),
+                                   "--server-port", "0"};
+    flags.insert(flags.end(), files.begin(), files.end());
+    const auto [second_code, second] = ended(flags);
+    EXPECT_EQ(second_code, 1);
+    EXPECT_THAT(second, HasSubstr("Address already in use"));
+    for (int i = 0; i < 50; ++i) agent.step("(rae1 -1)");
+    ::kill(server.child().pid(), SIGTERM);
+    const auto exit = server.child().wait(kPatience);
+    ASSERT_TRUE(exit && exit->code == 0);
+    const auto [code, text] = replay(file("match.rec"));
+    EXPECT_EQ(code, 0) << text;
+    EXPECT_THAT(bytes(file("match.log")), HasSubstr("(RSG 0 1)"));
+}
+
+TEST_F(Recording, NoFlagOfAReplayIsIgnoredOrOverwritesIt) {
+    const std::string recording = file("any.rec");
+    std::ofstream(recording) << "whatever it holds\n";
+    for (const auto& [flags, why] : std::vector<std::pair<std::vector<std::string>, std::string>>{
+             {{"--seed", "3", "replay", recording}, "--seed: no flag may stand before replay"},
+             {{"--noise", "off", "replay", recording}, "--noise: no flag may stand before replay"},
+             {{"--record", recording, "replay", recording}, "--record: no flag may stand before"},
+             {{"replay", recording, "--results", recording}, "--results: " + recording},
+             {{"replay", recording, "--monitor-log", recording}, "--monitor-log: " + recording}}) {
+        const auto [code, text] = ended(flags);
+        EXPECT_EQ(code, 2);
+        EXPECT_THAT(text, HasSubstr("k3d-server: " + why));
+        EXPECT_EQ(bytes(recording), "whatever it holds\n");
+    }
 }
 
 TEST_F(Recording, ADamagedFileIsNamedWithThePlace) {

@@ -141,7 +141,8 @@ struct Config {
     void describe(config::Fields& f) {
         f.text("game", game, {"soccer", "keepaway"}, "rules in force");
         f.seed("seed", seed, "of all random streams; episode k of a process uses seed + k - 1");
-        f.integer("episodes", episodes, {1, 1000000}, "", "keepaway episodes before the server ends");
+        f.integer("episodes", episodes, {1, 1000000}, "",
+                  "episodes before the server ends: keepaway's, and soccer's with a lobby");
         f.integer("first_episode", first_episode, {1, 1000000000}, "",
                   "number that the page shows for this process's first episode");
         f.text("left_team", left_team, {}, "name reserved for the left side; empty: first come");

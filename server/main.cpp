@@ -33,28 +33,27 @@ struct Options {
 
 /// Flags that are short names of configuration paths.
 const std::vector<k3d::config::ShortFlag> kFlags{
-    {"--agent-port", "network.agent_port", "port for agents, 0 = any (default 3100)"},
+    {"--agent-port", "network.agent_port", "port for agents, 0 = any"},
     {"--agent-socket", "network.agent_socket",
      "Unix-domain socket for agents of this machine, too"},
-    {"--server-port", "network.server_port",
-     "port for monitors and trainers, 0 = any (default 3200)"},
-    {"--trainers", "network.trainers", "who may command there: all, loopback or off (default all)"},
-    {"--http", "network.http_port", "port of the page, 0 = any (default: no page)"},
-    {"--listen", "network.listen", "address to listen on (default 127.0.0.1)"},
-    {"--pace", "pace.mode", "realtime, sync or fast (default realtime)"},
-    {"--stepper", "physics.stepper", "exact or fast (default exact)"},
-    {"--hung-agent-s", "pace.hung_agent",
-     "wall seconds an agent may keep others waiting (default 30)"},
+    {"--server-port", "network.server_port", "port for monitors and trainers, 0 = any"},
+    {"--trainers", "network.trainers", "who may command there: all, loopback or off"},
+    {"--http", "network.http_port", "port of the page, 0 = any, -1 = no page"},
+    {"--listen", "network.listen", "address to listen on"},
+    {"--pace", "pace.mode", "realtime, sync or fast"},
+    {"--stepper", "physics.stepper", "exact or fast"},
+    {"--hung-agent-s", "pace.hung_agent", "wall seconds an agent may keep others waiting"},
     {"--lobby-s", "pace.lobby",
-     "wall seconds until all seats waited for must be taken, 0 = for ever (default)"},
-    {"--game", "game", "soccer or keepaway (default soccer)"},
-    {"--seed", "seed", "seed of all random streams (default 1)"},
-    {"--episodes", "episodes", "keepaway episodes to play before the server ends (default 1)"},
+     "wall seconds until all seats waited for must be taken, 0 = for ever"},
+    {"--game", "game", "soccer or keepaway"},
+    {"--seed", "seed", "seed of all random streams"},
+    {"--episodes", "episodes",
+     "episodes to play before the server ends (keepaway, and soccer with a lobby)"},
     {"--left-team", "left_team", "team name reserved for the left side"},
     {"--right-team", "right_team", "team name reserved for the right side"},
-    {"--keepers", "keepaway.keepers", "keepers in keepaway (default 3)"},
-    {"--takers", "keepaway.takers", "takers in keepaway (default 2)"},
-    {"--vision-interval", "vision.interval", "cycles between See percepts (default 3)"},
+    {"--keepers", "keepaway.keepers", "keepers in keepaway"},
+    {"--takers", "keepaway.takers", "takers in keepaway"},
+    {"--vision-interval", "vision.interval", "cycles between See percepts"},
 };
 
 /// Flags that set several paths.
@@ -82,14 +81,17 @@ void add_groups(CLI::App& app, Options& options) {
 
 void add_flags(CLI::App& app, Options& options) {
     add_groups(app, options);  // before --set, which wins over them
-    k3d::config::add_flags(app, options.line, kFlags, "keepaway.side=12");
+    k3d::server::Config defaults;
+    k3d::config::add_flags(app, options.line, kFlags, "keepaway.side=12",
+                           k3d::config::describing(defaults));
     app.add_option("--results", options.files.results, "file to append one JSON line per episode to");
     app.add_option("--monitor-log", options.files.monitor_log,
                    "file to write the match to, for monitors to play");
     app.add_option("--record", options.files.record,
                    "file to write everything that comes in to, for `replay`");
     app.add_option("--beliefs", options.files.beliefs,
-                   "folder in which agents write telemetry, drawn on the page over the truth");
+                   "folder in which agents write telemetry, drawn on the page over the truth")
+        ->check(CLI::ExistingDirectory);
     app.add_option("--web-folder", options.files.web_folder, "folder of the page (default ../web)");
 }
 

@@ -4,6 +4,9 @@
 #include <CLI/CLI.hpp>
 #include <iostream>
 
+#include "common/config/text.h"
+#include "common/config/walk.h"
+
 namespace k3d::config {
 
 namespace {
@@ -16,17 +19,37 @@ std::pair<std::string, std::string> path_and_value(const std::string& text) {
     return {text.substr(0, equals), text.substr(equals + 1)};
 }
 
+struct PlainText {
+    std::string operator()(const double* value) const { return number_text(*value); }
+    std::string operator()(const int* value) const { return std::to_string(*value); }
+    std::string operator()(const std::uint64_t* value) const { return std::to_string(*value); }
+    std::string operator()(const bool* value) const { return *value ? "true" : "false"; }
+    std::string operator()(const std::string* value) const { return *value; }
+    std::string operator()(const std::vector<double>*) const { return ""; }  // no flag's value
+};
+
+/// The value at `path` as one would write it behind a flag.
+std::string plain_value(const Describe& describe, std::string_view path) {
+    std::string text;
+    const auto on_field = [&](const Field& field) {
+        if (field.path == path) text = std::visit(PlainText{}, field.value);
+    };
+    walk(describe, on_field, [](const std::string&) {});
+    return text;
+}
+
 }  // namespace
 
 void add_flags(CLI::App& app, CommandLine& line, const std::vector<ShortFlag>& flags,
-               const std::string& example) {
+               const std::string& example, const Describe& defaults) {
     for (const auto& [flag, path, help] : flags) {
         app.add_option_function<std::string>(
-            flag,
-            [&line, where = std::string(path)](const std::string& value) {
-                line.settings.emplace_back(where, value);
-            },
-            help);
+               flag,
+               [&line, where = std::string(path)](const std::string& value) {
+                   line.settings.emplace_back(where, value);
+               },
+               help)
+            ->default_str(defaults ? plain_value(defaults, path) : "");
     }
     app.add_option("--config", line.files, "TOML file; may be repeated, later wins")
         ->allow_extra_args(false);

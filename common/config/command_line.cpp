@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "common/config/command_line.h"
 
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <CLI/CLI.hpp>
 #include <iostream>
 
@@ -36,6 +39,16 @@ std::string plain_value(const Describe& describe, std::string_view path) {
     };
     walk(describe, on_field, [](const std::string&) {});
     return text;
+}
+
+/// Files that are opened later must not take the numbers of standard streams that are closed: logs
+/// would be written into them.
+void fill_standard_streams() {
+    int fd = -1;
+    do {
+        fd = ::open("/dev/null", O_RDWR);
+    } while (fd >= 0 && fd <= STDERR_FILENO);
+    if (fd >= 0) ::close(fd);
 }
 
 }  // namespace
@@ -80,6 +93,7 @@ bool print_wanted(const CommandLine& line, const Describe& describe) {
 
 int run_program(CLI::App& app, int argc, char** argv, const std::string& program,
                 const std::function<int()>& run) {
+    fill_standard_streams();
     const auto failed = [&program](const std::exception& error, int code) {
         std::cerr << program << ": " << error.what() << '\n';
         return code;

@@ -46,8 +46,9 @@ void resolve(const CommandLine& line, const Describe& describe);
 /// Prints what --print-config or --print-fields asks for; false if neither was given.
 bool print_wanted(const CommandLine& line, const Describe& describe);
 
-/// Parses and runs; a failure is printed as one line with the program's name. Returns the exit
-/// code: run()'s, kExitUsage for ConfigError and std::invalid_argument, kExitFailed for the rest.
+/// Parses and runs; a failure is printed as one line with the program's name. Standard streams that
+/// are closed become /dev/null. Returns the exit code: run()'s, kExitUsage for ConfigError and
+/// std::invalid_argument, kExitFailed for the rest.
 int run_program(CLI::App& app, int argc, char** argv, const std::string& program,
                 const std::function<int()>& run);
 

@@ -60,5 +60,31 @@ TEST(Outputs, OnADiskThatIsFullEndTheRun) {
     EXPECT_EQ(measured.results().size(), 1U);
 }
 
+TEST(Outputs, HoldNoLogLinesOfAServerWhoseStandardStreamsAreClosed) {
+    const auto results = std::filesystem::temp_directory_path() /
+                         ("k3d-output-" + std::to_string(getpid()) + ".jsonl");
+    std::filesystem::remove(results);
+    process::Spawn spawn;
+    spawn.arguments = {"/bin/sh",
+                       "-c",
+                       R"(exec "$0" "$@" <&- 2>&-)",
+                       std::string(K3D_BIN_DIR) + "/k3d-server",
+                       "--agent-port",
+                       "0",
+                       "--server-port",
+                       "0",
+                       "--game",
+                       "keepaway",
+                       "--lobby-s",
+                       "0.1",
+                       "--results",
+                       results.string()};
+    process::Child child(spawn);
+    const auto exit = child.wait(kPatience);
+    EXPECT_TRUE(exit && exit->code == 3) << "nobody came to play";
+    EXPECT_EQ(std::filesystem::file_size(results), 0U);
+    std::filesystem::remove(results);
+}
+
 }  // namespace
 }  // namespace k3d::testing

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What all programs' command lines have in common: --help and exit codes.
+// What all programs' command lines have in common: --help, exit codes, standard streams.
 #include "common/config/command_line.h"
 
+#include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 
@@ -57,6 +60,17 @@ TEST(CommandLine, FailuresAreExitCodes) {
     EXPECT_EQ(code({}, []() -> int { throw ConfigError("bad"); }), kExitUsage);
     EXPECT_EQ(code({}, []() -> int { throw std::invalid_argument("bad"); }), kExitUsage);
     EXPECT_EQ(code({}, []() -> int { throw std::runtime_error("bad"); }), kExitFailed);
+}
+
+TEST(CommandLine, NoFileTakesTheNumberOfAClosedStandardStream) {
+    const auto number_of_the_first_file = [] {
+        for (const int fd : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) ::close(fd);
+        CLI::App app;
+        std::exit(run_with(app, {}, [] { return ::open("/dev/null", O_RDONLY); }));
+    };
+    EXPECT_EXIT(
+        number_of_the_first_file(),
+        [](int status) { return WIFEXITED(status) && WEXITSTATUS(status) > STDERR_FILENO; }, "");
 }
 
 }  // namespace

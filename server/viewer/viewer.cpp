@@ -2,7 +2,6 @@
 // Who watches, and who has been told what.
 #include "server/viewer/viewer.h"
 
-#include <algorithm>
 #include <filesystem>
 #include <stdexcept>
 
@@ -45,8 +44,13 @@ struct Viewer::Impl {
                      pages.push_back({std::move(socket)});
                  }) {}
 
-    void publish(const SceneView& scene) {
+    /// A socket counts as one of the server's connections until it is destroyed.
+    void forget_closed() {
         std::erase_if(pages, [](const Page& page) { return page.socket->closed(); });
+    }
+
+    void publish(const SceneView& scene) {
+        forget_closed();
         if (pages.empty()) return;
         const auto now = net::Clock::now();
         if (now - last < kLeastInterval) return;
@@ -101,9 +105,9 @@ std::uint16_t Viewer::port() const {
     return impl_->server.port();
 }
 
-bool Viewer::watched() const {
-    return std::ranges::any_of(impl_->pages,
-                               [](const Page& page) { return !page.socket->closed(); });
+bool Viewer::watched() {
+    impl_->forget_closed();
+    return !impl_->pages.empty();
 }
 
 void Viewer::publish(const SceneView& scene) {

@@ -55,8 +55,9 @@ class Viewer {
     ~Viewer();
 
     std::uint16_t port() const;
-    /// True while a page is open: nobody watching costs nothing.
-    bool watched() const;
+    /// True while a page is open: nobody watching costs nothing. To be asked in every cycle, for
+    /// pages that were closed take up connections until then.
+    bool watched();
     /// Sends the scene to every page that has taken the one before; slow pages skip scenes.
     void publish(const SceneView& scene);
 

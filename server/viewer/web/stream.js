@@ -19,6 +19,7 @@ export function openStream(on) {
   let everLive = false;
   let quiet = 0;
   let state = "";
+  let outdated = false;  // the last scene was of another version, and so are moments and beliefs
 
   const tell = (next) => {
     if (next === state) return;
@@ -29,9 +30,12 @@ export function openStream(on) {
   const take = (text) => {
     const message = JSON.parse(text);
     if (message.kind === "scene") {
-      if (message.version !== knownVersion) return tell("outdated");
+      outdated = message.version !== knownVersion;
+      if (outdated) return tell("outdated");
       on.scene(message);
       on.moment(message.now);
+    } else if (outdated) {
+      return;
     } else if (message.kind === "moment") {
       on.moment(message);
     } else if (message.kind === "beliefs") {

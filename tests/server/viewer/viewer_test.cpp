@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "common/http/raw_peer.h"
+#include "common/http/server.h"
 #include "common/http/temporary_folder.h"
 #include "server/viewer/sample_scene.h"
 
@@ -120,6 +121,17 @@ TEST_F(ViewerTest, NobodyWatchesAfterThePageIsClosed) {
     EXPECT_TRUE(
         loop_.wait(net::Clock::now() + test::kPatience, [this] { return !viewer_->watched(); }));
     viewer_->publish(sample_scene());
+}
+
+TEST_F(ViewerTest, ShortVisitsWhileNothingIsPublishedLeaveRoomForMore) {
+    const int more_than_at_once = static_cast<int>(http::Limits{}.connections) + 6;
+    for (int i = 0; i < more_than_at_once; ++i) {
+        auto page = std::make_unique<RawPeer>(viewer_->port());
+        ASSERT_TRUE(page->open_socket(loop_)) << "visit " << i + 1;
+        page.reset();
+        ASSERT_TRUE(loop_.wait(net::Clock::now() + test::kPatience,
+                               [this] { return !viewer_->watched(); }));
+    }
 }
 
 TEST_F(ViewerTest, SaysWhatIsMissing) {

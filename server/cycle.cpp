@@ -95,12 +95,8 @@ void Simulation::step_physics() {
         hash_ = scene_->world.hash(hash_);
     } catch (const physics::Diverged& error) {
         spdlog::error("physics diverged at {:.2f} s: {}", clock_.seconds(), error.what());
-        if (auto* keepaway = std::get_if<game::Keepaway>(&game_)) {
-            keepaway->abort(episode::Status::Diverged, error.what());
-            cycles_since_over_ = kGameOverCycles;  // no further step of a broken world
-        } else {
-            end_ = true;
-        }
+        game::abort(game_, episode::Status::Diverged, error.what());
+        cycles_since_over_ = kGameOverCycles;  // no further step of a broken world
     }
 }
 

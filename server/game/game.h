@@ -23,6 +23,10 @@ inline void before_step(Game& game, body::Scene& scene) {
 inline void after_step(Game& game, body::Scene& scene) {
     std::visit([&](auto& g) { g.after_step(scene); }, game);
 }
+/// Ends it from outside the rules.
+inline void abort(Game& game, episode::Status status, const std::string& reason) {
+    std::visit([&](auto& g) { g.abort(status, reason); }, game);
+}
 /// Without state hash and code version, which the caller knows.
 inline episode::Result result(const Game& game) {
     return std::visit([](const auto& g) { return g.result(); }, game);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What must not become a keepaway row like any other: an episode short of a player, or one whose
-// time and modes a trainer has set.
+// What must not become a row like any other: an episode short of a player, one whose time and modes
+// a trainer has set, a match whose physics broke.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -82,6 +82,35 @@ TEST(Rows, SayTheSameWhateverModeAndTimeATrainerWishes) {
         EXPECT_THAT(log, HasSubstr(": " + wish + " ignored, keepaway keeps its own time")) << wish;
     }
     EXPECT_THAT(log, HasSubstr("trainer at 127.0.0.1:"));
+}
+
+TEST(Rows, OfASoccerMatchWhosePhysicsBreaksSaysSo) {
+    const auto results = std::filesystem::temp_directory_path() /
+                         ("k3d-diverged-" + std::to_string(getpid()) + ".jsonl");
+    std::filesystem::remove(results);
+    ServerProcess server(fast_with_one_agent({"--results", results.string()}));
+    WireAgent agent(server);
+    agent.begin_match("Reds");
+    net::Client trainer("127.0.0.1", server.trainer_port(), kPatience);
+    trainer.send("(playMode PlayOn)(ball (pos 0 0 -900))");  // below the ground
+    try {
+        wire::Percepts percepts;
+        for (int i = 0; i < 5000; ++i) {
+            agent.send("(syn)");
+            if (!agent.receive(percepts)) break;
+        }
+    } catch (const net::NetError&) {  // it ended between the two
+    }
+    const auto exit = server.child().wait(kPatience);
+    EXPECT_TRUE(exit && exit->code == 0) << server.log();
+    std::ifstream file(results);
+    std::string line;
+    ASSERT_TRUE(std::getline(file, line)) << server.log();
+    const episode::Result row = episode::from_line(line);
+    EXPECT_EQ(row.game, "soccer");
+    EXPECT_EQ(row.status, episode::Status::Diverged);
+    EXPECT_FALSE(row.reason.empty());
+    std::filesystem::remove(results);
 }
 
 }  // namespace

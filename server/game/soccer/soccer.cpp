@@ -29,6 +29,7 @@ void play_on(Match& match) {
 
 void Soccer::after_step(body::Scene& scene) {
     state_.advance();
+    if (aborted()) return;  // GameOver stays, and a broken scene cannot be judged
     Match match{config_, state_, scene, memory_};
     observe(match);
     if (config_.referee) end_half(match);
@@ -57,6 +58,13 @@ void Soccer::judge(Match& match) {
     if (is_either(mode, PlayMode::OffsideLeft)) {
         return set_play(match, PlayMode::FreeKickLeft, opponent(side_in(mode, PlayMode::OffsideLeft)));
     }
+}
+
+void Soccer::abort(episode::Status status, const std::string& reason) {
+    if (over()) return;
+    status_ = status;
+    reason_ = reason;
+    state_.enter(PlayMode::GameOver);
 }
 
 void Soccer::kick_off(wire::Side side) { state_.enter(kick_off_mode(state_, side)); }
@@ -88,7 +96,8 @@ Vec3 Soccer::next_start_slot(wire::Side team) {
 episode::Result Soccer::result() const {
     episode::Result result;
     result.game = "soccer";
-    result.reason = "time_limit";
+    result.status = status_;
+    result.reason = reason_;
     result.metrics = {{"time_s", std::round(state_.time * 50.0) / 50.0},
                       {"score_left", state_.score_left},
                       {"score_right", state_.score_right}};

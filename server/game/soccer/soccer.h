@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <string>
 
 #include "common/episode/result.h"
 #include "server/game/soccer/match.h"
@@ -26,9 +27,12 @@ class Soccer {
     /// A player's `(pass)`.
     void pass(body::Scene& scene, const body::Player& player);
 
+    /// Ends the match from outside the rules (physics failed).
+    void abort(episode::Status status, const std::string& reason);
+
     /// Beam is allowed in BeforeKickOff and after goals.
     bool beam_allowed() const { return paused(state_.mode); }
-    bool over() const { return config_.ends && state_.mode == PlayMode::GameOver; }
+    bool over() const { return aborted() || (config_.ends && state_.mode == PlayMode::GameOver); }
     /// Without seed, state hash and code version, which the caller knows.
     episode::Result result() const;
 
@@ -38,11 +42,14 @@ class Soccer {
 
   private:
     void judge(Match& match);
+    bool aborted() const { return status_ != episode::Status::Finished; }
 
     SoccerConfig config_;
     GameState state_;
     Memory memory_;
     std::array<int, 2> slots_used_{};  ///< left, right
+    episode::Status status_ = episode::Status::Finished;
+    std::string reason_ = "time_limit";
 };
 
 }  // namespace k3d::server::game

@@ -99,6 +99,20 @@ TEST_F(SoccerRig, EndsWhenAskedTo) {
     EXPECT_NEAR(game.result().metrics.at("time_s"), 2.0, 0.03);
 }
 
+TEST_F(SoccerRig, IsOverForGoodWhenAborted) {
+    config.half_time = 1.0;
+    game = Soccer(config);
+    game.kick_off(Side::Left);
+    seconds(0.5);
+    game.abort(episode::Status::Diverged, "a body's state is out of bounds");
+    EXPECT_TRUE(game.over()) << "whether or not it ends by itself";
+    seconds(1.0);
+    EXPECT_EQ(mode(), PlayMode::GameOver) << "no second half";
+    game.abort(episode::Status::AgentLost, "later");
+    EXPECT_EQ(game.result().status, episode::Status::Diverged);
+    EXPECT_EQ(game.result().reason, "a body's state is out of bounds");
+}
+
 TEST_F(SoccerRig, GoalCountsPausesAndTheOthersKickOff) {
     play(Side::Left, 2, {14.0, 0.0});
     roll({14.5, 0.3, 0.042}, {4, 0, 0});

@@ -55,6 +55,7 @@ struct Files {
 
 class Simulation {
   public:
+    /// Throws config::ConfigError for reserved team names that no two teams can have.
     Simulation(const Config& config, const Files& files);
 
     /// Opens all ports. Throws net::NetError. "ready agent=40123 monitor=40124 http=40125"

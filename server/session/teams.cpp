@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "common/config/config.h"
 #include "common/log/limiter.h"
 
 namespace k3d::server::session {
@@ -12,19 +13,33 @@ namespace k3d::server::session {
 namespace {
 using wire::kMaxUnum;
 
-bool is_name(std::string_view text) {
-    return !text.empty() && text.size() <= kMaxTeamName &&
-           std::all_of(text.begin(), text.end(), [](char c) { return c > ' ' && c <= '~'; });
-}
-
 std::size_t slot_of(wire::Side side) { return side == wire::Side::Left ? 0 : 1; }
+
+/// Nobody could ever take the seats of a team whose name is on no wire or is the other's.
+void check_reserved(const std::string& left, const std::string& right) {
+    for (const auto& [key, name] : {std::pair("left_team", left), std::pair("right_team", right)}) {
+        const auto fault = name.empty() ? std::nullopt : fault_of_team_name(name);
+        if (fault) throw config::ConfigError(fmt::format("{}: {}", key, *fault));
+    }
+    if (left.empty() || left != right) return;
+    throw config::ConfigError(fmt::format("left_team and right_team are both '{}'", left));
+}
 }  // namespace
+
+std::optional<std::string> fault_of_team_name(std::string_view name) {
+    const auto fits = [](char c) { return c > ' ' && c <= '~' && c != '(' && c != ')'; };
+    if (!name.empty() && name.size() <= kMaxTeamName && std::ranges::all_of(name, fits)) {
+        return std::nullopt;
+    }
+    return fmt::format("team name '{}' is not 1 to {} bytes of visible ASCII without parentheses",
+                       log::printable(name), kMaxTeamName);
+}
 
 Teams::Teams(std::string left, std::string right, int left_seats, int right_seats,
              std::optional<TypeQuotas> quotas)
-    : names_{std::move(left), std::move(right)},
-      seats_{left_seats, right_seats},
-      quotas_(quotas) {}
+    : names_{std::move(left), std::move(right)}, seats_{left_seats, right_seats}, quotas_(quotas) {
+    check_reserved(names_[0], names_[1]);
+}
 
 tl::expected<Seat, std::string> Teams::assign(const wire::InitCommand& init, int type) {
     const auto slot = slot_for(init.team);
@@ -40,10 +55,7 @@ tl::expected<Seat, std::string> Teams::assign(const wire::InitCommand& init, int
 }
 
 tl::expected<std::size_t, std::string> Teams::slot_for(const std::string& team) const {
-    if (!is_name(team)) {
-        return tl::unexpected(fmt::format("team name '{}' is not 1 to {} bytes of visible ASCII",
-                                          log::printable(team), kMaxTeamName));
-    }
+    if (auto fault = fault_of_team_name(team)) return tl::unexpected(std::move(*fault));
     for (const std::size_t slot : {0, 1}) {
         if (team == names_[slot]) return slot;
     }

@@ -5,6 +5,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include <tl/expected.hpp>
 
@@ -17,6 +18,9 @@ namespace k3d::server::session {
 /// all 22 are seen still fits wire::kMaxPayloadToAgent.
 inline constexpr std::size_t kMaxTeamName = 32;
 
+/// "team name 'A B' is not 1 to 32 bytes of visible ASCII without parentheses"; none if it is.
+std::optional<std::string> fault_of_team_name(std::string_view name);
+
 /// How a team of eleven must mix its robot types (reference 1.6).
 struct TypeQuotas {
     int of_one_type = 7;
@@ -28,6 +32,7 @@ class Teams {
   public:
     /// `left` and `right` reserve names; empty ones go to the first names that come. At most
     /// `left_seats` and `right_seats` players, numbers 1..11. Without quotas all types are welcome.
+    /// Throws config::ConfigError for reserved names that no two teams can have.
     Teams(std::string left, std::string right, int left_seats, int right_seats,
           std::optional<TypeQuotas> quotas);
 

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include "common/config/config.h"
+
 namespace k3d::server::session {
 namespace {
 
@@ -47,12 +49,30 @@ TEST(Teams, TheTwelfthPlayerIsRefusedAndALeftSeatIsFreeAgain) {
 
 TEST(Teams, NamesThatWouldHurtOthersAreRefused) {
     Teams teams("", "", 11, 11, std::nullopt);
-    const std::string why = " is not 1 to 32 bytes of visible ASCII";
+    const std::string why = " is not 1 to 32 bytes of visible ASCII without parentheses";
     EXPECT_EQ(teams.assign({1, ""}, 0).error(), "team name ''" + why);
     EXPECT_EQ(teams.assign({1, "R\xC3\xA9" "ds\x1B[2J"}, 0).error(), "team name 'R??ds?[2J'" + why);
     EXPECT_EQ(teams.assign({1, std::string(60'000, 'x')}, 0).error(),
               "team name '" + std::string(120, 'x') + "...'" + why);
     EXPECT_TRUE(teams.assign({1, std::string(32, 'x')}, 0));
+}
+
+TEST(Teams, ReservedNamesThatNobodyCanHaveAreRefused) {
+    const auto fault = [](const std::string& left, const std::string& right) -> std::string {
+        try {
+            Teams(left, right, 3, 2, std::nullopt);
+        } catch (const config::ConfigError& error) {
+            return error.what();
+        }
+        return "";
+    };
+    const std::string why = " is not 1 to 32 bytes of visible ASCII without parentheses";
+    EXPECT_EQ(fault("Red Team", ""), "left_team: team name 'Red Team'" + why);
+    EXPECT_EQ(fault("Reds", "(Blues)"), "right_team: team name '(Blues)'" + why);
+    const std::string long_name(33, 'x');
+    EXPECT_EQ(fault("", long_name), "right_team: team name '" + long_name + "'" + why);
+    EXPECT_EQ(fault("Reds", "Reds"), "left_team and right_team are both 'Reds'");
+    EXPECT_EQ(fault("", ""), "");
 }
 
 TEST(Teams, KeepawaySeatsAreCountedAndNamed) {

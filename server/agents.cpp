@@ -237,7 +237,7 @@ void Simulation::obey_trainers() {
     for (const session::Order& order : monitors_.take_commands()) {
         const game::TrainerEffect effect = game::apply(order.command, *scene_, game_);
         end_ = end_ || effect.end_simulation;
-        if (effect.ignored) say_ignored(order, "keepaway keeps its own time and play modes");
+        if (!effect.ignored.empty()) say_ignored(order, effect.ignored);
         if (!effect.killed) continue;
         for (const auto& agent : agents_) {
             if (agent->player == effect.killed) kill(*agent);

@@ -9,6 +9,11 @@ namespace k3d::server::game {
 
 namespace {
 
+constexpr std::string_view kNoPlayer = "there is no such player";
+constexpr std::string_view kNobodySelected = "no player is selected";
+constexpr std::string_view kNoMode = "there is no such play mode";
+constexpr std::string_view kKeepaway = "keepaway keeps its own time and play modes";
+
 struct Apply {
     body::Scene& scene;
     Game& game;
@@ -19,7 +24,7 @@ struct Apply {
         if (c.velocity) scene.ball.set_velocity(*c.velocity);
     }
     void operator()(const wire::AgentCommand& c) {
-        body::Player* player = scene.find(c.team, c.unum);
+        body::Player* player = found(scene.find(c.team, c.unum));
         if (player == nullptr || !c.position) return;
         if (c.yaw_deg) {
             // 0 means forward along world +y, which is a heading of 90 degrees.
@@ -30,7 +35,13 @@ struct Apply {
     }
     void operator()(const wire::PlayModeCommand& c) {
         const auto mode = play_mode(c.mode);
-        if (Soccer* referee = soccer(); referee != nullptr && mode) referee->state().enter(*mode);
+        Soccer* referee = soccer();
+        if (referee == nullptr) return;
+        if (!mode) {
+            effect.ignored = kNoMode;
+            return;
+        }
+        referee->state().enter(*mode);
     }
     void operator()(const wire::KickOffCommand& c) {
         if (Soccer* referee = soccer()) referee->kick_off(c.side);
@@ -46,11 +57,10 @@ struct Apply {
         state(game).score_right = c.right;
     }
     void operator()(const wire::ClearSelectedCommand&) {
-        for (const auto& player : scene.players) {
-            if (!player->selected) continue;
-            const Vec3 torso = player->robot->torso_position();
-            player->robot->move(sent_back(torso, torso, player->team));
-        }
+        body::Player* player = found(selected(), kNobodySelected);
+        if (player == nullptr) return;
+        const Vec3 torso = player->robot->torso_position();
+        player->robot->move(sent_back(torso, torso, player->team));
     }
     void operator()(const wire::KillCommand& c) {
         if (const body::Player* player = meant(c)) effect.killed = player->id;
@@ -62,7 +72,8 @@ struct Apply {
     }
     void operator()(const wire::SelectCommand& c) {
         using Who = wire::SelectCommand::Who;
-        const body::Player* next = c.who == Who::Player ? scene.find(c.team, c.unum) : nullptr;
+        const body::Player* next =
+            c.who == Who::Player ? found(scene.find(c.team, c.unum)) : nullptr;
         if (c.who == Who::Player && next == nullptr) return;
         if (c.who == Who::Next) next = after_selected();
         for (const auto& player : scene.players) player->selected = player.get() == next;
@@ -75,18 +86,23 @@ struct Apply {
     /// Who obeys the commands that decide over the course of a match; keepaway's referee does not.
     Soccer* soccer() {
         Soccer* referee = std::get_if<Soccer>(&game);
-        effect.ignored = referee == nullptr;
+        if (referee == nullptr) effect.ignored = kKeepaway;
         return referee;
     }
+    /// The player, who is to be there.
+    body::Player* found(body::Player* player, std::string_view otherwise = kNoPlayer) {
+        if (player == nullptr) effect.ignored = otherwise;
+        return player;
+    }
     body::Player* selected() {
-        const auto found = std::find_if(scene.players.begin(), scene.players.end(),
-                                        [](const auto& player) { return player->selected; });
-        return found == scene.players.end() ? nullptr : found->get();
+        const auto it = std::find_if(scene.players.begin(), scene.players.end(),
+                                     [](const auto& player) { return player->selected; });
+        return it == scene.players.end() ? nullptr : it->get();
     }
     /// The player that kill or repos names, or the selected one.
     template <class Command>
     body::Player* meant(const Command& c) {
-        return c.selected ? selected() : scene.find(c.team, c.unum);
+        return c.selected ? found(selected(), kNobodySelected) : found(scene.find(c.team, c.unum));
     }
     /// The player behind the selected one, else the first.
     const body::Player* after_selected() {

@@ -66,8 +66,11 @@ TEST(Trainer, SetsModeTimeAndScore) {
     EXPECT_EQ(rig.now().mode, PlayMode::KickOffRight);
     rig("(kickOff Left)");
     EXPECT_EQ(rig.now().mode, PlayMode::KickOffLeft);
-    rig("(kickOff None)");
+    rig("(playMode PlayOn)(kickOff None)");
     EXPECT_EQ(rig.now().mode, PlayMode::KickOffLeft) << "the first half is the left team's";
+    rig.now().half = 2;
+    rig("(playMode PlayOn)(kickOff None)");
+    EXPECT_EQ(rig.now().mode, PlayMode::KickOffRight);
 }
 
 TEST(Trainer, SelectsOneAtATimeAndTheNext) {
@@ -134,15 +137,34 @@ TEST(Trainer, KeepawayKeepsItsModeAndTime) {
     rig("(ball (pos 1 2 0.5)(vel 3 0 1))");
     for (const char* command : {"(playMode GameOver)", "(playMode free_kick_left)", "(dropBall)",
                                 "(time 0)", "(kickOff Left)"}) {
-        EXPECT_TRUE(rig(command).ignored) << command;
+        EXPECT_EQ(rig(command).ignored, "keepaway keeps its own time and play modes") << command;
         EXPECT_EQ(rig.now().mode, PlayMode::PlayOn) << command;
         EXPECT_EQ(rig.now().time, 7.0) << command;
         expect_near(rig.scene.ball.velocity(), {3, 0, 1});
     }
-    EXPECT_FALSE(rig("(ball (pos 0 0 0.042))").ignored);
-    EXPECT_FALSE(rig("(select (unum 1)(team Left))").ignored);
+    EXPECT_EQ(rig("(ball (pos 0 0 0.042))").ignored, "");
+    EXPECT_EQ(rig("(select (unum 1)(team Left))").ignored, "");
     Rig soccer;
-    EXPECT_FALSE(soccer("(playMode PlayOn)(time 3)").ignored);
+    EXPECT_EQ(soccer("(playMode PlayOn)(time 3)").ignored, "");
+}
+
+TEST(Trainer, SaysWhyACommandIsIgnored) {
+    Rig rig;
+    rig.add(wire::Side::Left, 1, {0, 1, 0.4});
+    EXPECT_EQ(rig("(playMode bogus_mode)").ignored, "there is no such play mode");
+    for (const char* command :
+         {"(agent (unum 2)(team Left)(pos 0 0 1))", "(kill (unum 1)(team Right))",
+          "(repos (unum 2)(team Left))", "(select (unum 2)(team Left))"}) {
+        EXPECT_EQ(rig(command).ignored, "there is no such player") << command;
+    }
+    for (const char* command : {"(agent)", "(kill)", "(repos)"}) {
+        EXPECT_EQ(rig(command).ignored, "no player is selected") << command;
+    }
+    for (const char* command : {"(select (unum 1)(team Left))", "(agent)", "(kill)", "(repos)",
+                                "(agent (unum 1)(team Left)(battery 50))", "(select)",
+                                "(select (unum -1))", "(reqfullstate)"}) {
+        EXPECT_EQ(rig(command).ignored, "") << command;
+    }
 }
 
 TEST(Trainer, DropBallClearsTheSpotAndPlaysOn) {

@@ -11,6 +11,9 @@
 
 namespace k3d::server::game {
 
+/// s, of comparisons with a time: a sum of cycles, in the longest match of 20 hours off by 3e-6.
+inline constexpr double kTimeSlack = 1e-5;
+
 struct GameState {
     PlayMode mode = PlayMode::BeforeKickOff;
     double time = 0.0;        ///< game time, s: stands still in BeforeKickOff and GameOver

@@ -56,7 +56,7 @@ void Keepaway::before_step(body::Scene& scene) {
 void Keepaway::after_step(body::Scene& scene) {
     state_.advance();
     if (state_.mode == PlayMode::BeforeKickOff &&
-        state_.mode_time >= config_.before_kick_off - 1e-9) {
+        state_.mode_time >= config_.before_kick_off - kTimeSlack) {
         state_.enter(PlayMode::PlayOn);
         log_ = PlayerLog(scene);
         return;
@@ -65,7 +65,7 @@ void Keepaway::after_step(body::Scene& scene) {
     count(scene);
     if (const auto reason = broken_rule(scene)) {
         end(episode::Status::Finished, *reason);
-    } else if (state_.mode_time >= config_.limit - 1e-9) {
+    } else if (state_.mode_time >= config_.limit - kTimeSlack) {
         end(episode::Status::Truncated, "time_limit");
     }
 }

@@ -4,7 +4,7 @@
 namespace k3d::server::game {
 
 void end_half(Match& match) {
-    const double time = match.state.time + 1e-9;  // whole cycles, summed up
+    const double time = match.state.time + kTimeSlack;
     if (match.state.half == 1 && time >= match.config.half_time) {
         match.state.half = 2;
         match.enter(PlayMode::BeforeKickOff);

@@ -46,7 +46,7 @@ inline constexpr int kGameOverCycles = 10;
 
 /// Files that a run writes or reads; empty: none.
 struct Files {
-    std::string results;      ///< receives one line per keepaway episode
+    std::string results;      ///< receives one line per episode
     std::string monitor_log;  ///< for monitors to play
     std::string record;       ///< for `replay` to re-simulate
     std::string web_folder;   ///< of the page

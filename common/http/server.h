@@ -3,8 +3,9 @@
 // WebSocket. It only tells: a peer that sends a message over its WebSocket is cut off.
 //
 // Driven by net::Loop: nothing happens outside poll() and wait(). Answers 200, 400 (malformed),
-// 404, 405 (neither GET nor HEAD), 431 (header too long), 503 (too many connections); whatever else
-// a peer sends costs that peer its connection and nobody else anything.
+// 404, 405 (neither GET nor HEAD), 426 (no WebSocket where only one is served), 431 (header too
+// long), 503 (too many connections); whatever else a peer sends costs that peer its connection and
+// nobody else anything.
 // The only folder that includes Boost.Beast; nothing of it shows in this header.
 #pragma once
 

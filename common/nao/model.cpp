@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "common/nao/model.h"
 
-#include <cstdlib>
+#include "common/log/log.h"
 
 namespace k3d::nao {
 
@@ -176,7 +176,7 @@ std::optional<int> Model::body_of(Part part) const {
 const Model& model(int type) {
     static const std::array<Model, kTypeCount> all{make_model(0), make_model(1), make_model(2),
                                                    make_model(3), make_model(4)};
-    if (!is_type(type)) std::abort();
+    K3D_ASSERT(is_type(type));
     return all[static_cast<std::size_t>(type)];
 }
 

@@ -2,9 +2,9 @@
 #include "server/physics/fast/linkage.h"
 
 #include <cmath>
-#include <cstdlib>
 
 #include "common/clock/clock.h"
+#include "common/log/log.h"
 
 namespace k3d::server::physics::fast {
 
@@ -47,7 +47,7 @@ Linkage::Linkage(const Mechanism& mechanism, const Settings& settings)
       linear_drag_(mechanism.linear_drag),
       angular_drag_(mechanism.angular_drag) {
     const std::size_t count = mechanism.bodies.size();
-    if (count > 64) std::abort();  // Link::path has a bit per link
+    K3D_ASSERT(count <= 64);  // Link::path has a bit per link
     hinges_.resize(count);
     for (const dBodyID body : mechanism.bodies) add_link(body);
     for (const dJointID joint : mechanism.hinges) {

@@ -7,7 +7,7 @@
 #include "common/config/command_line.h"
 #include "optimizer/episode/collect.h"
 #include "optimizer/episode/commands.h"
-#include "optimizer/spec/agent_fields.h"
+#include "optimizer/spec/ask.h"
 #include "optimizer/spec/settings.h"
 
 namespace k3d::optimizer::drill {

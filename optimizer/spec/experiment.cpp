@@ -231,6 +231,11 @@ Experiment parse_experiment(std::string_view toml, const std::string& file,
     return e;
 }
 
+std::string test_settings(const Experiment& e) {
+    if (e.test.settings.empty()) return e.task.settings;
+    return e.task.settings + " " + e.test.settings;  // the later word wins
+}
+
 Problem problem_of(const Experiment& e) {
     if (!e.start_network) return e.parameters;
     if (e.algorithm.name == "neat") return NetworkProblem{*e.start_network};

@@ -5,7 +5,6 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <array>
 #include <filesystem>
 #include <fstream>
@@ -16,6 +15,7 @@
 #include "common/clock/clock.h"
 #include "common/clock/stage_clock.h"
 #include "common/log/log.h"
+#include "common/math/sample.h"
 #include "optimizer/backend/wakeups.h"
 #include "optimizer/episode/episode.h"
 #include "optimizer/spec/words.h"
@@ -52,12 +52,6 @@ double children_s() {
         return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
     };
     return seconds(used.ru_utime) + seconds(used.ru_stime);
-}
-
-double median(std::vector<double> values) {
-    std::ranges::sort(values);
-    const std::size_t middle = values.size() / 2;
-    return values.size() % 2 == 1 ? values[middle] : 0.5 * (values[middle - 1] + values[middle]);
 }
 
 class Bench {
@@ -128,7 +122,7 @@ std::string row(const std::string& name, const std::array<Costs, kSteppers.size(
     for (std::size_t s = 0; s < kSteppers.size(); ++s) {
         std::vector<double> sample;
         for (const Cost& cost : costs[s]) sample.push_back(figure(cost));
-        value[s] = median(sample);
+        value[s] = k3d::quantile(sample, 0.5);
         line += fmt::format("{:>10.{}f}", value[s], decimals);
     }
     return line + (value[0] > 0.0 ? fmt::format("{:>10.2f}\n", value[1] / value[0]) : "\n");

@@ -9,14 +9,15 @@
 #include <csignal>
 #include <iostream>
 #include <memory>
+#include <optional>
 #include <string_view>
 
 #include "common/config/command_line.h"
 #include "common/log/log.h"
 #include "optimizer/backend/log_folder.h"
+#include "optimizer/backend/wakeups.h"
 #include "optimizer/drill/drill_process.h"
 #include "optimizer/drill/play.h"
-#include "optimizer/drill/stage.h"
 #include "optimizer/report/drill_table.h"
 #include "optimizer/report/results_file.h"
 #include "optimizer/spec/drill_spec.h"
@@ -65,46 +66,82 @@ spec::DrillSpec resolve(config::CommandLine line, const std::string& name) {
     return spec;
 }
 
-/// What server or agent refuse is a mistake of whoever called this program.
-int exit_code_of(const std::runtime_error& error) {
+/// The exit code of a failure that all further runs would meet too; none if they may do better.
+std::optional<int> ends_all(const std::runtime_error& error, bool first) {
     if (dynamic_cast<const process::StartError*>(&error) != nullptr) return drill::kExitCannotStart;
     const auto* failure = dynamic_cast<const drill::DrillFailure*>(&error);
-    return failure != nullptr && failure->refused ? config::kExitUsage : config::kExitFailed;
+    // What server or agent refuse is a mistake of whoever called this program.
+    if (failure != nullptr && failure->refused) return config::kExitUsage;
+    // A robot may have bad luck; what fails before one plays is a port or a file, and stays as it
+    // is.
+    if (failure != nullptr || !first) return std::nullopt;
+    return config::kExitFailed;
 }
 
-int run(const spec::DrillSpec& spec) {
-    backend::LogFolder logs(spec.log_folder);
-    report::ResultsFile lines(spec.results);
-    std::vector<k3d::episode::Result> results;
-    int http_port = spec.http_port;
-    const auto tell_page = [&](int port) {
-        if (http_port != port || results.empty()) {
-            std::cout << fmt::format("watch http://127.0.0.1:{}/", port) << std::endl;
-        }
-        http_port = port;
-    };
-    for (int index = 0; index < spec.runs; ++index) {
-        const int number = spec.first + index;
-        const std::uint64_t seed = spec.seed + static_cast<std::uint64_t>(number);
-        const std::string folder = logs.begin({index, seed, 1});
+/// The runs of a drill, one after the other.
+class Runs {
+  public:
+    explicit Runs(const spec::DrillSpec& spec)
+        : spec_(spec), logs_(spec.log_folder), lines_(spec.results), http_port_(spec.http_port) {}
+
+    /// Plays them, prints the table and returns the exit code.
+    int play() {
+        std::optional<int> ended;
+        for (int index = 0; index < spec_.runs && !ended; ++index) ended = play_one(index);
+        const bool stopped = ended == config::kExitInterrupted;
+        if (ended && !stopped && results_.empty()) return *ended;  // what is wrong has been said
+        lines_.close();
+        std::cout << report::drill_table(spec_, results_);
+        if (ended) return *ended;
+        const bool all = results_.size() == static_cast<std::size_t>(spec_.runs);
+        return all ? 0 : config::kExitFailed;
+    }
+
+  private:
+    /// An exit code if there is to be no further run.
+    std::optional<int> play_one(int index) {
+        if (stop_wanted()) return config::kExitInterrupted;
+        const int number = spec_.first + index;
+        const std::uint64_t seed = spec_.seed + static_cast<std::uint64_t>(number);
+        const std::string folder = logs_.begin({index, seed, 1});
         try {
-            results.push_back(drill::play(spec, number, folder, http_port, tell_page));
-            logs.end(folder, false);
-            lines.settle(index, results.back());
+            results_.push_back(drill::play(spec_, number, folder, http_port_, listener_));
+            logs_.end(folder, false);
+            lines_.settle(index, results_.back());
+        } catch (const drill::Stopped&) {
+            logs_.end(folder, false);
+            return config::kExitInterrupted;
         } catch (const std::runtime_error& error) {
-            logs.end(folder, true);
-            lines.settle(index, std::nullopt);
+            logs_.end(folder, true);
+            lines_.settle(index, std::nullopt);
             std::cerr << fmt::format("run {}, seed {}: {}; logs in {}", index + 1, seed,
                                      error.what(), folder)
                       << std::endl;
-            // What fails in the first run fails in all: a flag, a file, a port.
-            if (results.empty()) return exit_code_of(error);
+            return ends_all(error, index == 0);
         }
+        return std::nullopt;
     }
-    lines.close();
-    std::cout << report::drill_table(spec, results);
-    return results.size() == static_cast<std::size_t>(spec.runs) ? 0 : config::kExitFailed;
-}
+
+    void tell_page(int port) {
+        if (http_port_ != port || results_.empty()) {
+            std::cout << fmt::format("watch http://127.0.0.1:{}/", port) << std::endl;
+        }
+        http_port_ = port;  // the next run's page takes its place
+    }
+    bool stop_wanted() {
+        wakeups_.wait(std::chrono::steady_clock::now());
+        return wakeups_.stop_wanted();
+    }
+
+    const spec::DrillSpec& spec_;
+    backend::Wakeups wakeups_;
+    backend::LogFolder logs_;
+    report::ResultsFile lines_;
+    std::vector<k3d::episode::Result> results_;
+    int http_port_;
+    drill::Listener listener_{[this](int port) { tell_page(port); },
+                              [this] { return stop_wanted(); }};
+};
 
 }  // namespace
 
@@ -129,7 +166,7 @@ void add_drill_command(CLI::App& app, std::function<int()>& chosen) {
                 return 0;
             }
             std::signal(SIGPIPE, SIG_IGN);
-            return run(spec);
+            return Runs(spec).play();
         };
     });
 }

@@ -270,8 +270,9 @@ void require_found(const spec::Budget& budget) {
     }
 }
 
-/// Before anything is learned: throws network::NetworkError or ConfigError if a file that is to play is
-/// missing or damaged, ConfigError if rows want a champion that the budget does not search.
+/// Before anything is learned: throws network::NetworkError or ConfigError if a file that is to
+/// play is missing or damaged, ConfigError if settings are refused or rows want a champion that the
+/// budget does not search.
 void check_rows(const spec::Budget& budget, const std::vector<std::string>& parts) {
     if (!budget.champion.empty()) require_keepers_network(budget.champion, budget.start);
     require_found(budget);
@@ -279,6 +280,7 @@ void check_rows(const spec::Budget& budget, const std::vector<std::string>& part
     const bool searched = search.runs > 0 && spec::found_files(search).empty();
     for (const std::string& part : parts) {
         for (const spec::TableSpec& table : spec::tables_of(part, budget)) {
+            check_settings(table);
             for (const spec::RowSpec& row : table.rows) {
                 if (!row.network.empty()) network::load_file(row.network);
                 if (!row.takes_best || searched) continue;

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "common/log/log.h"
@@ -39,10 +40,7 @@ episode::Job JobMaker::job(const std::optional<algorithm::Payload>& payload, epi
     job.task = experiment.task;
     job.task.taker = spec::taker_of(experiment.task, episode);
     job.code_version = code_version();
-    const bool test = phase == episode::Phase::Test || phase == episode::Phase::Baseline;
-    if (test && !experiment.test.settings.empty()) {
-        job.task.settings += " " + experiment.test.settings;  // the later word wins
-    }
+    if (episode::is_test(phase)) job.task.settings = spec::test_settings(experiment);
     if (!payload) return job;
     if (const auto* values = std::get_if<std::vector<double>>(&*payload)) {
         if (experiment.start_network) {
@@ -144,12 +142,15 @@ void Round::settle(Episode& episode, const episode::Outcome& outcome, double wor
     ++known_;
 }
 
-/// Where the run has played before, it is one worker that cannot, and others may.
+/// Where the run has played before, it is one worker that cannot, and others may. A test has
+/// settings of its own, so of it the search says nothing.
 void Round::end_if_hopeless(const episode::Key& key, const episode::Failure& failure,
                             const ledger::Ledger& ledger) const {
-    if (!failure.hopeless || known_ > 0) return;
-    const ledger::Ledger::Totals totals = ledger.totals();
-    if (totals.episodes > totals.failed) return;
+    if (!failure.hopeless) return;
+    const bool plays = std::any_of(episodes_.begin(), episodes_.end(), [](const auto& entry) {
+        return entry.second.row && entry.second.row->status != "failed";
+    });
+    if (plays || ledger.has_result(episode::is_test(key.phase))) return;
     throw HopelessRun(fmt::format("episode {}: {}", key.text(), failure.reason), *failure.hopeless);
 }
 

@@ -43,7 +43,8 @@ class Round {
     /// Those to be played, in order.
     std::vector<episode::Job> missing() const;
     /// Puts what has come into the ledger, and returns the jobs that are to be tried again. Throws
-    /// HopelessRun if a job cannot be played anywhere and the ledger has no valid result yet.
+    /// HopelessRun if a job cannot be played anywhere and there is no result of its kind yet, of
+    /// the search or of the test.
     std::vector<episode::Job> take(const std::vector<episode::Outcome>& outcomes,
                                    ledger::Ledger& ledger);
 

@@ -11,6 +11,8 @@
 #include <sstream>
 
 #include "common/version/version.h"
+#include "optimizer/spec/ask.h"
+#include "optimizer/spec/settings.h"
 
 namespace k3d::optimizer {
 
@@ -26,8 +28,17 @@ std::string content(const std::string& path) {
     return text.str();
 }
 
-spec::AgentFields fields_for(const std::string& toml) {
-    return spec::ask_agent_fields(config::text_at(toml, "task.agent_program").value_or(""));
+/// Of the agent that the experiment names: what can be tuned has to be known before it can be read.
+spec::AgentFields fields_for(const std::string& toml, const spec::Overrides& overrides) {
+    constexpr std::string_view kPath = "task.agent_program";
+    std::string program = config::text_at(toml, kPath).value_or("");
+    for (const std::string& text : overrides) {
+        const auto equals = text.find('=');
+        if (text.substr(0, equals) == kPath && equals != std::string::npos) {
+            program = text.substr(equals + 1);
+        }
+    }
+    return spec::ask_agent_fields(program);
 }
 
 /// Tells this run's jobs on a queue from those of any other, so it must not follow from a seed.
@@ -59,6 +70,15 @@ algorithm::Algorithm new_algorithm(const spec::Experiment& e, const std::string&
     }
 }
 
+/// Everything that shows before an episode is played: what an algorithm or a program will not take.
+void require_sound(const spec::Experiment& e, const std::string& file) {
+    new_algorithm(e, file);
+    spec::require_taken(file + ": task.settings", e.task, spec::parse_settings(e.task.settings));
+    if (e.test.settings.empty()) return;
+    spec::require_taken(file + ": task.settings and test.settings", e.task,
+                        spec::parse_settings(spec::test_settings(e)));
+}
+
 std::string experiment_text(const std::string& file) {
     try {
         return content(file);
@@ -75,7 +95,7 @@ ledger::Facts facts_of(const std::string& file, const spec::Overrides& overrides
     const auto read = [&](const std::string& name) {
         return network = content((fs::path(file).parent_path() / name).string());
     };
-    spec::parse_experiment(text, file, fields_for(text), read, overrides);
+    spec::parse_experiment(text, file, fields_for(text, overrides), read, overrides);
     return {{"experiment", text},
             {"file", file},
             {"overrides", nlohmann::json(overrides).dump()},
@@ -106,7 +126,8 @@ spec::Experiment experiment_of(const ledger::Facts& facts) {
     } catch (const nlohmann::json::exception& error) {
         throw ledger::LedgerError(std::string("the ledger's overrides: ") + error.what());
     }
-    return spec::parse_experiment(toml, fact(facts, "file"), fields_for(toml), read, overrides);
+    return spec::parse_experiment(toml, fact(facts, "file"), fields_for(toml, overrides), read,
+                                  overrides);
 }
 
 Run::Run(std::string folder, std::unique_ptr<ledger::Lock> lock, ledger::Ledger ledger)
@@ -131,7 +152,7 @@ Run Run::begin(const std::string& file, const spec::Overrides& overrides,
                const std::string& wanted_folder, const std::string& command) {
     ledger::Facts facts = facts_of(file, overrides);
     const spec::Experiment e = experiment_of(facts);
-    new_algorithm(e, file);  // to learn of its faults before there is a folder
+    require_sound(e, file);  // to learn of its faults before there is a folder
     const std::string folder = wanted_folder.empty() ? "runs/" + e.name : wanted_folder;
     if (fs::exists(ledger_file(folder))) {
         throw ledger::LedgerError(fmt::format(
@@ -151,7 +172,7 @@ Run Run::begin(const std::string& file, const spec::Overrides& overrides,
 }
 
 void Run::check(const std::string& file, const spec::Overrides& overrides) {
-    new_algorithm(experiment_of(facts_of(file, overrides)), file);
+    require_sound(experiment_of(facts_of(file, overrides)), file);
 }
 
 void Run::require(const std::string& folder, const std::string& file,

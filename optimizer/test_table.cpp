@@ -13,6 +13,7 @@
 #include "optimizer/ledger/lock.h"
 #include "optimizer/round.h"
 #include "optimizer/run.h"
+#include "optimizer/spec/ask.h"
 #include "optimizer/spec/settings.h"
 #include "optimizer/spec/words.h"
 
@@ -127,6 +128,15 @@ report::ComparedRow read_row(const spec::RowSpec& row, const std::string& file) 
 }
 
 }  // namespace
+
+void check_settings(const spec::TableSpec& table) {
+    spec::require_taken(table.name, table.task, spec::parse_settings(table.task.settings));
+    for (const spec::RowSpec& row : table.rows) {
+        const std::string& file = row.settings_file;
+        spec::require_taken(file.empty() ? table.name + ", row " + row.key : file, table.task,
+                            {.server = {}, .keeper = settings_of(row), .taker = {}});
+    }
+}
 
 bool play_row(const spec::TableSpec& table, const spec::RowSpec& row, const RowPlayer& player,
               const std::string& folder, int jobs, backend::Wakeups& wakeups,

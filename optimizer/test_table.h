@@ -22,6 +22,10 @@ struct RowPlayer {
     std::string who;  ///< one line; a row that was begun by another one is not gone on with
 };
 
+/// Throws config::ConfigError if a program refuses the settings of the table or of one of its rows,
+/// naming the row, or the file that its settings are from.
+void check_settings(const spec::TableSpec& table);
+
 /// Plays what is missing of a row in `folder`, `jobs` episodes at a time. False if the user wants to
 /// stop. Throws LedgerError if the row was begun by another player or on another task, or has
 /// episodes missing and was begun by another code version.

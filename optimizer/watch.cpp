@@ -9,11 +9,13 @@ namespace {
 using Clock = std::chrono::steady_clock;
 constexpr std::chrono::milliseconds kAnswer{40};
 constexpr std::chrono::milliseconds kStatus{500};
+const std::string kLoopback = "127.0.0.1";
 }  // namespace
 
 void Watch::serve(const std::string& address, std::uint16_t port) {
     page_ = std::make_unique<report::RunPage>(address, port, report::run_page_folder());
-    progress_.say(fmt::format("page: http://127.0.0.1:{}/", page_->port()));
+    const std::string& host = address == "0.0.0.0" ? kLoopback : address;
+    progress_.say(fmt::format("page: http://{}:{}/", host, page_->port()));
     publish_course();
 }
 

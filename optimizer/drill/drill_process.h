@@ -16,8 +16,8 @@ namespace k3d::optimizer::drill {
 /// from its tables, other set-ups.
 std::vector<std::string> drill_command(const episode::Job& job, const std::string& folder);
 
-/// Exit code of a drill whose server or agent could not be started, which is this machine's fault
-/// and says nothing of the job.
+/// Exit code of a drill that ended because server or agent could not be started, which is this
+/// machine's fault and says nothing of the job.
 inline constexpr int kExitCannotStart = 3;
 
 class DrillProcess {

@@ -24,12 +24,12 @@ k3d::episode::PlayerResult player_of(const std::vector<Moment>& moments) {
 }  // namespace
 
 k3d::episode::Result play(const spec::DrillSpec& spec, int index, const std::string& folder,
-                          int http_port, const std::function<void(int)>& page) {
+                          int http_port, const Listener& listener) {
     const std::uint64_t seed = spec.seed + static_cast<std::uint64_t>(index);
     RandomStream random(seed, spec.name, "drill");
     const Plan plan = drill::plan(spec, index, random);
-    Stage stage(spec, seed, plan.agent_settings, plan.second_settings, folder, http_port);
-    if (stage.page_port() >= 0) page(stage.page_port());
+    Stage stage(spec, seed, plan.agent_settings, plan.second_settings, folder, http_port, listener);
+    if (stage.page_port() >= 0) listener.page(stage.page_port());
     plan.act(stage);
     stage.finish();
     const std::vector<Moment> moments = join(stage.track(), stage.telemetry_file());

@@ -7,7 +7,7 @@
 #include "common/config/command_line.h"
 #include "optimizer/episode/collect.h"
 #include "optimizer/episode/commands.h"
-#include "optimizer/spec/agent_fields.h"
+#include "optimizer/spec/ask.h"
 #include "optimizer/spec/settings.h"
 
 namespace k3d::optimizer::drill {
@@ -46,8 +46,9 @@ void add_settings(std::vector<std::string>& words, const std::vector<std::string
 Stage::Stage(const spec::DrillSpec& spec, std::uint64_t seed,
              const std::vector<std::string>& agent_settings,
              const std::vector<std::string>& second_settings, const std::string& folder,
-             int http_port)
-    : folder_(folder),
+             int http_port, const Listener& listener)
+    : listener_(listener),
+      folder_(folder),
       host_(spec.host),
       patience_(static_cast<long>(spec.patience_s * 1000.0)),
       own_server_(spec.agent_port == 0),
@@ -180,11 +181,13 @@ void Stage::receive() {
     if (recording_) hash_ = XXH3_64bits_withSeed(frame.data(), frame.size(), hash_);
 }
 
-/// In slices, so that an agent that could not start is noticed at once.
+/// In slices, so that an agent that could not start, or the user's wish to stop, is noticed at
+/// once.
 void Stage::wait_for(std::string_view& frame) {
     constexpr std::chrono::milliseconds kSlice{100};
     const auto deadline = net::Clock::now() + patience_;
     for (;;) {
+        if (listener_.wants_to_stop()) throw Stopped();
         const auto slice_end = net::Clock::now() + kSlice;
         try {
             if (!trainer_->receive(frame, kSlice)) fail("the server has left");

@@ -34,13 +34,28 @@ class DrillFailure : public std::runtime_error {
     bool refused;  ///< server or agent took their settings for a mistake: so they do in every run
 };
 
+/// The user wants to stop.
+class Stopped : public std::runtime_error {
+  public:
+    Stopped() : std::runtime_error("stopped") {}
+};
+
+/// What a run tells its caller, and asks it; both must be there.
+struct Listener {
+    std::function<void(int)> page;        ///< hears the page's port once there is one
+    std::function<bool()> wants_to_stop;  ///< asked before every frame
+};
+
 class Stage {
   public:
-    /// `agent_settings`: path=value words; `second_settings` those of the second robot, empty: there
-    /// is none. `http_port` -1: no page. All files go to `folder`. Throws DrillFailure, process::ProcessError, net::NetError.
+    /// `agent_settings`: path=value words; `second_settings` those of the second robot, empty:
+    /// there is none. `http_port` -1: no page. All files go to `folder`. Throws DrillFailure,
+    /// process::ProcessError, net::NetError. Once `listener`, which outlives it, wants to stop,
+    /// waiting for a frame throws Stopped.
     Stage(const spec::DrillSpec& spec, std::uint64_t seed,
           const std::vector<std::string>& agent_settings,
-          const std::vector<std::string>& second_settings, const std::string& folder, int http_port);
+          const std::vector<std::string>& second_settings, const std::string& folder, int http_port,
+          const Listener& listener);
 
     /// Lets the robots stand up, places them in their own half and gives them time to find out where
     /// they are; then the game is on, and the drill's time and track begin.
@@ -76,6 +91,7 @@ class Stage {
     void wait_for(std::string_view& frame);
     [[noreturn]] void fail(const std::string& what);
 
+    const Listener& listener_;
     std::string folder_;
     std::string host_;
     std::chrono::milliseconds patience_;

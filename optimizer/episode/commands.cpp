@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "common/net/net.h"
-#include "optimizer/spec/agent_fields.h"
+#include "optimizer/spec/ask.h"
 #include "optimizer/spec/settings.h"
 #include "optimizer/spec/words.h"
 

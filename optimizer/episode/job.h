@@ -19,6 +19,10 @@ namespace k3d::optimizer::episode {
 enum class Phase { Train, Validation, Test, Baseline };
 
 std::string_view name_of(Phase phase);
+/// Of a champion or of the baseline: played with the settings of the test.
+constexpr bool is_test(Phase phase) {
+    return phase == Phase::Test || phase == Phase::Baseline;
+}
 /// Throws JobError naming another word.
 Phase phase_of(std::string_view name);
 

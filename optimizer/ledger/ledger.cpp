@@ -341,6 +341,18 @@ Ledger::Totals Ledger::totals() const {
     });
 }
 
+bool Ledger::has_result(bool of_test) const {
+    return impl_->guard([&] {
+        SQLite::Statement s(impl_->db,
+                            "SELECT EXISTS (SELECT 1 FROM episodes WHERE status != 'failed' "
+                            "AND (phase IN (?, ?)) = ?)");
+        Binder(s) << static_cast<int>(episode::Phase::Test)
+                  << static_cast<int>(episode::Phase::Baseline) << static_cast<int>(of_test);
+        s.executeStep();
+        return s.getColumn(0).getInt() != 0;
+    });
+}
+
 double Ledger::simulated_before(int generation) const {
     return impl_->guard([&] {
         SQLite::Statement s(impl_->db,

@@ -78,6 +78,8 @@ class Ledger {
         double wall_s = 0.0;
     };
     Totals totals() const;
+    /// Whether any episode has a result, of the test (Test, Baseline) or of the search.
+    bool has_result(bool of_test) const;
     /// Of training episodes in generations before this one, s.
     double simulated_before(int generation) const;
 

@@ -27,9 +27,9 @@ std::string row(const std::string& name, const std::vector<double>& sample) {
 
 std::string drill_table(const spec::DrillSpec& spec,
                         const std::vector<k3d::episode::Result>& results) {
+    const std::uint64_t seed = spec.seed + static_cast<std::uint64_t>(spec.first);
     std::string text = fmt::format("drill {}, type {}, seeds {} to {}\n", spec.name, spec.type,
-                                   spec.seed,
-                                   spec.seed + static_cast<std::uint64_t>(spec.runs) - 1);
+                                   seed, seed + static_cast<std::uint64_t>(spec.runs) - 1);
     text += fmt::format("{:<28}{:>5}{:>10}{:>10}{:>10}{:>10}{:>10}{:>10}\n", "", "n", "mean", "sd",
                         "se", "5 %", "median", "95 %");
     std::map<std::string, std::vector<double>> samples;

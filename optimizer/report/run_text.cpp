@@ -185,7 +185,9 @@ std::string champion_file(const spec::Experiment& experiment, const algorithm::C
     }
     // What was tuned, and what the search fixed for the agents.
     std::map<std::string, std::string> settings;
-    for (const std::string& word : spec::parse_settings(experiment.task.settings).keeper) {
+    const spec::Settings fixed = spec::parse_settings(experiment.task.settings);
+    const bool takers = experiment.task.tuned == "taker";
+    for (const std::string& word : takers ? fixed.taker : fixed.keeper) {
         const auto sign = word.find('=');
         settings[word.substr(0, sign)] = toml_value(word.substr(sign + 1));
     }

@@ -2,22 +2,15 @@
 #include "optimizer/spec/agent_fields.h"
 
 #include <fmt/format.h>
-#include <stdlib.h>
-#include <unistd.h>
 
-#include <filesystem>
-#include <fstream>
 #include <nlohmann/json.hpp>
-#include <sstream>
 #include <stdexcept>
 
-#include "common/process/child.h"
+#include "optimizer/spec/ask.h"
 
 namespace k3d::optimizer::spec {
 
 namespace {
-
-constexpr std::chrono::seconds kPatience{30};
 
 double bound(const nlohmann::json& value, double none) {
     return value.is_null() ? none : value.get<double>();
@@ -31,7 +24,6 @@ AgentField number_of(const nlohmann::json& entry) {
     field.min = bound(entry.at("min"), field.min);
     field.max = bound(entry.at("max"), field.max);
     field.unit = entry.at("unit").get<std::string>();
-    field.meaning = entry.at("meaning").get<std::string>();
     return field;
 }
 
@@ -49,19 +41,6 @@ void add_elements(const nlohmann::json& entry, AgentFields& fields) {
     }
     fields.lists[path] = values;
 }
-
-/// A file of its own for what a program prints.
-struct Capture {
-    std::string path = (std::filesystem::temp_directory_path() / "k3d-fields-XXXXXX").string();
-    Capture() {
-        const int fd = ::mkstemp(path.data());
-        if (fd < 0) throw std::runtime_error("cannot make a file in " + path);
-        ::close(fd);
-    }
-    Capture(const Capture&) = delete;
-    Capture& operator=(const Capture&) = delete;
-    ~Capture() { ::unlink(path.c_str()); }
-};
 
 }  // namespace
 
@@ -88,22 +67,14 @@ AgentFields parse_agent_fields(std::string_view json) {
 }
 
 AgentFields ask_agent_fields(const std::string& program) {
-    const Capture said;
-    process::Child child({{program_path(program, "k3d-agent"), "--print-fields"}, said.path, false});
-    const auto exit = child.wait(kPatience);
-    std::ostringstream text;
-    text << std::ifstream(said.path).rdbuf();
-    if (!exit || exit->code != 0) {
-        throw std::runtime_error(fmt::format("{} --print-fields: {}: {}",
-                                             program_path(program, "k3d-agent"),
-                                             exit ? exit->text() : "no end", text.str()));
+    const std::string path = program_path(program, "k3d-agent");
+    const Answer answer = ask({path, "--print-fields"});
+    if (!answer.exit || answer.exit->code != 0) {
+        throw std::runtime_error(fmt::format("{} --print-fields: {}: {}", path,
+                                             answer.exit ? answer.exit->text() : "no end",
+                                             answer.text));
     }
-    return parse_agent_fields(text.str());
-}
-
-std::string program_path(const std::string& wanted, const char* name) {
-    if (!wanted.empty()) return wanted;
-    return (std::filesystem::read_symlink("/proc/self/exe").parent_path() / name).string();
+    return parse_agent_fields(answer.text);
 }
 
 }  // namespace k3d::optimizer::spec

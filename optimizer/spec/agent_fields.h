@@ -18,7 +18,6 @@ struct AgentField {
     double min = -std::numeric_limits<double>::infinity();
     double max = std::numeric_limits<double>::infinity();
     std::string unit;
-    std::string meaning;
 };
 
 struct AgentFields {
@@ -35,8 +34,5 @@ AgentFields parse_agent_fields(std::string_view json);
 /// Runs `program` (empty: k3d-agent beside this program). Throws process::ProcessError if it cannot
 /// be started, std::runtime_error if it gives no list.
 AgentFields ask_agent_fields(const std::string& program);
-
-/// `wanted`, or if that is empty the program `name` in this program's own folder.
-std::string program_path(const std::string& wanted, const char* name);
 
 }  // namespace k3d::optimizer::spec

@@ -6,42 +6,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "optimizer/spec/figures.h"
-#include "optimizer/spec/match_spec.h"
+#include "optimizer/spec/faults.h"
 #include "optimizer/spec/parameter_tree.h"
-#include "optimizer/spec/settings.h"
-#include "optimizer/spec/words.h"
 
 namespace k3d::optimizer::spec {
 
 namespace {
-
-/// Faults of one text, to be told all at once.
-class Faults {
-  public:
-    Faults(std::string_view toml, std::string file) : toml_(toml), file_(std::move(file)) {}
-
-    /// `path` is where the fault stands: its line, or that of the section it is missing from.
-    void add(std::string path, const std::string& text) {
-        std::optional<int> line;
-        const std::string said = path;
-        while (!(line = config::line_of(toml_, path)) && path.find('.') != std::string::npos) {
-            path.resize(path.rfind('.'));
-        }
-        faults_.push_back(fmt::format("{}:{}: \"{}\" {}", file_, line.value_or(1), said, text));
-    }
-
-    void throw_if_any() const {
-        if (!faults_.empty()) {
-            throw config::ConfigError(fmt::format("{}", fmt::join(faults_, "\n")));
-        }
-    }
-
-  private:
-    std::string_view toml_;
-    std::string file_;
-    std::vector<std::string> faults_;
-};
 
 bool is_whole(double value) {
     return std::floor(value) == value;
@@ -73,20 +43,12 @@ void check_parameter(const std::string& path, const AgentField& field, const Wan
     }
 }
 
-/// Whether the experiment says anything of what stands at `path`, in its file or beside it.
-bool is_named(const std::string& path, std::string_view toml, const Overrides& overrides) {
-    return config::line_of(toml, path) ||
-           std::any_of(overrides.begin(), overrides.end(),
-                       [&](const std::string& text) { return text.starts_with(path + "."); });
-}
-
-VectorProblem chosen(const AgentFields& fields, const ParameterTree& tree, std::string_view toml,
-                     const Overrides& overrides, Faults& faults) {
+VectorProblem chosen(const AgentFields& fields, const ParameterTree& tree, Faults& faults) {
     VectorProblem parameters;
     for (std::size_t i = 0; i < fields.numbers.size(); ++i) {
         const AgentField& field = fields.numbers[i];
         const std::string path = "parameters." + field.path;
-        if (!is_named(path, toml, overrides)) continue;
+        if (!faults.is_said(path)) continue;
         const Wanted& w = tree.wanted()[i];
         Parameter p;
         p.name = field.path;
@@ -103,17 +65,10 @@ VectorProblem chosen(const AgentFields& fields, const ParameterTree& tree, std::
     return parameters;
 }
 
-bool is_name(const std::string& text) {
-    return !text.empty() && text.size() <= 64 && text[0] != '.' && text[0] != '-' &&
-           std::all_of(text.begin(), text.end(), [](unsigned char c) {
-               return std::isalnum(c) != 0 || c == '_' || c == '-' || c == '.';
-           });
-}
-
 void check_network(Experiment& e, const AgentFields& fields, const ReadFile& read,
                    Faults& faults) {
     if (e.network.path.empty()) {
-        if (!e.network.start.empty()) faults.add("network.path", "is missing");
+        if (faults.is_said("network")) faults.add("network.path", "is missing");
         if (e.algorithm.name == "neat") {
             faults.add("algorithm.name", "is neat, which needs a [network]");
         }
@@ -132,62 +87,12 @@ void check_network(Experiment& e, const AgentFields& fields, const ReadFile& rea
     }
 }
 
-/// A figure that no result has would fail every episode, and only after it has been played.
-void check_fitness(const TaskSpec& task, Faults& faults) {
-    if (task.fitness.empty()) return;
-    const std::string figure = task.fitness.substr(task.fitness.starts_with('-') ? 1 : 0);
-    const std::vector<std::string> known = figures_of(task.name);
-    if (std::find(known.begin(), known.end(), figure) != known.end()) return;
-    faults.add("task.fitness", fmt::format("is \"{}\", but a result of {} has {}; with - in front less "
-                                           "is better",
-                                           task.fitness, task.name, fmt::join(known, ", ")));
-}
-
 /// Where fitness may be below 0, a default of 0 would make failing the best there is.
 void complete_worst(TaskSpec& task, Faults& faults) {
     if (!std::isnan(task.worst)) return;
     task.worst = 0.0;
     if (drill_of(task.name).empty() && !task.fitness.starts_with('-')) return;
     faults.add("task.worst", "is missing: the fitness of an episode that gave no valid result");
-}
-
-void check_search(const Experiment& e, Faults& faults) {
-    if (!is_name(e.name)) {
-        faults.add("name", fmt::format("is \"{}\", wanted are letters, digits, _ - .", e.name));
-    }
-    const bool network = !e.network.path.empty();
-    if (network && !e.parameters.empty()) {
-        faults.add("parameters", "stands beside [network]; one of them can be tuned");
-    }
-    const bool all_frozen = std::all_of(e.parameters.begin(), e.parameters.end(),
-                                        [](const Parameter& p) { return p.frozen; });
-    if (!network && all_frozen) faults.add("parameters", "names nothing that is to be tuned");
-    check_fitness(e.task, faults);
-    const bool match = drill_of(e.task.name).empty();
-    if (match && !e.task.drill.empty()) {
-        faults.add("task.drill", "is for drills, but the task is " + e.task.name);
-    }
-    if (!match && !e.task.taker_command.empty()) {
-        faults.add("task.taker_command", "is for keepaway, but the task is " + e.task.name);
-    }
-    try {
-        check_command("taker_command", e.task.taker_command);
-    } catch (const std::invalid_argument& error) {
-        faults.add("task.taker_command", error.what());
-    }
-    try {
-        split_words(e.task.drill);
-    } catch (const std::invalid_argument& error) {
-        faults.add("task.drill", fmt::format("is no list of settings: {}", error.what()));
-    }
-    for (const auto& [path, settings] : {std::pair{"task.settings", &e.task.settings},
-                                         std::pair{"test.settings", &e.test.settings}}) {
-        try {
-            parse_settings(*settings);
-        } catch (const std::invalid_argument& error) {
-            faults.add(path, fmt::format("is no list of settings: {}", error.what()));
-        }
-    }
 }
 
 }  // namespace
@@ -221,14 +126,19 @@ Experiment parse_experiment(std::string_view toml, const std::string& file,
         }
         config::set(describe, text.substr(0, equals), text.substr(equals + 1));
     }
-    Faults faults(toml, file);
-    e.parameters = chosen(fields, tree, toml, overrides, faults);
+    Faults faults(toml, file, overrides);
+    e.parameters = chosen(fields, tree, faults);
     e.lists = fields.lists;
     complete_worst(e.task, faults);
-    check_search(e, faults);
+    find_faults(e, faults);
     check_network(e, fields, read, faults);
     faults.throw_if_any();
     return e;
+}
+
+std::string test_settings(const Experiment& e) {
+    if (e.test.settings.empty()) return e.task.settings;
+    return e.task.settings + " " + e.test.settings;  // the later word wins
 }
 
 Problem problem_of(const Experiment& e) {

@@ -99,6 +99,9 @@ Experiment parse_experiment(std::string_view toml, const std::string& file,
                             const AgentFields& fields, const ReadFile& read,
                             const Overrides& overrides = {});
 
+/// The words of settings that episodes of the test are played with.
+std::string test_settings(const Experiment& experiment);
+
 /// What the algorithm searches.
 Problem problem_of(const Experiment& experiment);
 

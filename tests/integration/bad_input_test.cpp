@@ -29,6 +29,7 @@ std::pair<int, std::string> refused(const std::vector<std::string>& flags) {
     const auto exit = child.wait(kPatience);
     std::stringstream text;
     text << std::ifstream(log).rdbuf();
+    std::filesystem::remove(log);
     return {exit ? exit->code : -1, text.str()};
 }
 
@@ -68,6 +69,7 @@ TEST(BadFlags, ConfigFileFaultsCarryFileAndLine) {
                       ("k3d-bad-" + std::to_string(getpid()) + ".toml");
     std::ofstream(file) << "seed = 4\n[keepaway]\nsides = 9.0\n";
     const auto [code, text] = refused({"--config", file.string()});
+    std::filesystem::remove(file);
     EXPECT_EQ(code, 2);
     EXPECT_NE(text.find(file.string() + ":3"), std::string::npos) << text;
     EXPECT_NE(text.find("keepaway.side"), std::string::npos) << "the nearest key: " << text;

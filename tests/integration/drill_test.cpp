@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Drills as a user starts them: optimizer, server and agent over real sockets.
 #include <gmock/gmock.h>
+#include <signal.h>
+#include <stdlib.h>
 #include <unistd.h>
 
 #include <filesystem>
@@ -94,6 +96,39 @@ TEST_F(Drills, AServerThatRunsAlreadyIsUsed) {
     EXPECT_FALSE(server.child().poll()) << "it is not ours to end";
 }
 
+TEST_F(Drills, AStopEndsARunAndShowsThoseBefore) {
+    const std::string temporary = file("tmp");
+    std::filesystem::create_directory(temporary);
+    ::setenv("TMPDIR", temporary.c_str(), 1);
+    process::Child child({{K3D_BIN_DIR "/k3d-optimizer", "drill", "turn", "--runs", "1000", "--set",
+                           "setup.turn_s=1.5", "--results", file("lines")},
+                          file("said"),
+                          false});
+    ::unsetenv("TMPDIR");
+    const auto deadline = std::chrono::steady_clock::now() + std::chrono::minutes(2);
+    while (content("lines").empty() && std::chrono::steady_clock::now() < deadline) {
+        ASSERT_FALSE(child.wait(std::chrono::milliseconds(20))) << content("said");
+    }
+    ::kill(child.pid(), SIGTERM);
+    const auto exit = child.wait(std::chrono::minutes(1));
+    ASSERT_TRUE(exit);
+    EXPECT_EQ(exit->code, 130) << content("said");
+    EXPECT_THAT(content("said"), HasSubstr("drill turn, type 0, seeds 1 to 1000\n"));
+    EXPECT_THAT(content("said"), HasSubstr(" of 1000\n"));
+    EXPECT_TRUE(std::filesystem::is_empty(temporary)) << "nothing has failed";
+}
+
+TEST_F(Drills, OnlyWhatAllRunsWouldMeetEndsThemAtTheFirst) {
+    EXPECT_EQ(run({"walk", "--runs", "2", "--set", "agent_program=/bin/false"}), 1);
+    EXPECT_THAT(content("said"), HasSubstr("run 2, seed 2: the agent has left"));
+    EXPECT_THAT(content("said"), HasSubstr("runs with a valid result: 0 of 2"));
+    std::ofstream(file("lines")) << "of another day\n";
+    EXPECT_EQ(run({"walk", "--set", "agent:motion.wlak=3", "--results", file("lines")}), 2);
+    EXPECT_EQ(run({"walk", "--set", "server_program=/bin/false", "--results", file("lines")}), 1);
+    EXPECT_THAT(content("said"), ::testing::Not(HasSubstr("run 2")));
+    EXPECT_EQ(content("lines"), "of another day\n");
+}
+
 TEST_F(Drills, WhatCannotBeDrilledIsNamed) {
     EXPECT_EQ(run({"juggle"}), 2);
     EXPECT_THAT(content("said"), HasSubstr("juggle"));
@@ -105,7 +140,8 @@ TEST_F(Drills, WhatCannotBeDrilledIsNamed) {
     EXPECT_THAT(content("said"), HasSubstr("wlak"));
     EXPECT_EQ(run({"walk", "--set", "server:physics.steper=fast"}), 2);
     EXPECT_THAT(content("said"), HasSubstr("steper"));
-    EXPECT_EQ(run({"walk", "--set", "agent_program=/bin/false"}), 1) << content("said");
+    EXPECT_EQ(run({"walk", "--pace", "sync", "--agent-port", "3100", "--server-port", "3200"}), 2);
+    EXPECT_THAT(content("said"), HasSubstr("not told pace sync"));
     EXPECT_EQ(run({"walk", "--set", "server_program=/nowhere/server"}), 3);
     EXPECT_THAT(content("said"), HasSubstr("cannot start /nowhere/server"));
 }

@@ -10,6 +10,7 @@
 //                                                 $K3D_QUICK_FOLDER.slow
 //     quick_episode --unum N --port P ...         an agent, or several with --and between them
 //     quick_episode --print-fields                what k3d-agent says
+//     quick_episode --print-config ...            takes all settings
 #include <arpa/inet.h>
 #include <sys/socket.h>
 #include <unistd.h>
@@ -142,6 +143,7 @@ int main(int argc, char** argv) {
             ::execl(own.c_str(), own.c_str(), argv[i], nullptr);
             return 1;
         }
+        if (word == "--print-config") return 0;
         if (word == "--and") {
             agents.emplace_back();
             continue;

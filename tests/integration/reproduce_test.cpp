@@ -85,6 +85,24 @@ class Reproduce : public RunRig {
         std::filesystem::remove(path("out/report.html"));
         std::filesystem::remove_all(path("out/test/table1-greedy/still"));
     }
+    /// Those of all test episodes, and those that an earlier run has found.
+    void expect_refused_settings_are_named() const {
+        const std::string sound = content("tiny.toml");
+        std::string bad = sound;
+        bad.replace(bad.find("keepaway.limit"), 14, "keepaway.lmiit");
+        write("tiny.toml", bad);
+        EXPECT_EQ(run(words("table1"), "said"), 2);
+        EXPECT_THAT(content("said"), HasSubstr("table1-greedy: k3d-server: unknown key"));
+        write("found.toml", "[keeper]\nhold_treshold = 2.0\n");
+        bad = sound;
+        const std::string found =
+            K3D_SOURCE_DIR "/optimizer/experiments/results/keepaway_algorithm2-1.toml";
+        bad.replace(bad.find(found), found.size(), path("found.toml"));
+        write("tiny.toml", bad);
+        EXPECT_EQ(run(words("table1"), "said"), 2);
+        EXPECT_THAT(content("said"), HasSubstr(path("found.toml") + ": k3d-agent: unknown key"));
+        write("tiny.toml", sound);
+    }
     std::vector<std::string> words(const std::string& part) const {
         return {"reproduce", part,           "--budget", path("tiny.toml"),
                 "--out",     path("out"),    "--jobs",   "2",
@@ -170,6 +188,7 @@ TEST_F(Reproduce, MistakesAreNamed) {
     EXPECT_EQ(run(words("table1"), "said"), 2);
     EXPECT_THAT(content("said"), HasSubstr("keepaway_algorithm2-0.toml: cannot read"));
     write("tiny.toml", table1);
+    expect_refused_settings_are_named();
     EXPECT_FALSE(std::filesystem::exists(path("out"))) << "nothing was begun";
     bad[3] = "huge";
     EXPECT_EQ(run(bad, "said"), 2);

@@ -177,11 +177,29 @@ TEST_F(Runs, ADrillIsATask) {
 
 TEST_F(Runs, WhatADrillsProgramsRefuseEndsTheRunAtOnce) {
     const std::string walk = K3D_SOURCE_DIR "/optimizer/experiments/walk_forward.toml";
-    for (const char* mistake : {"agent:motion.wlak=3", "server:physics.steper=fast"}) {
-        const std::string settings = std::string("task.settings=") + mistake;
-        EXPECT_EQ(run({"run", walk, "--run", path(mistake), "--set", settings}, "said"), 2);
-        EXPECT_THAT(content("said"), HasSubstr("k3d-optimizer: episode train/0/"));
-        EXPECT_THAT(content("said"), HasSubstr("unknown key"));
+    // A mistake that shows only when it plays.
+    write("picky",
+          "#!/bin/sh\ncase \"$*\" in *--print-config*) exit 0;; esac\necho no >&2; exit 2\n");
+    std::filesystem::permissions(path("picky"), std::filesystem::perms::owner_all);
+    EXPECT_EQ(
+        run({"run", walk, "--run", path("a"), "--set", "task.server_program=" + path("picky")},
+            "said"),
+        2);
+    EXPECT_THAT(content("said"), HasSubstr("k3d-optimizer: episode train/0/"));
+}
+
+TEST_F(Runs, WhatProgramsRefuseIsKnownBeforeThereIsARun) {
+    const std::string walk = K3D_SOURCE_DIR "/optimizer/experiments/walk_forward.toml";
+    const std::vector<std::pair<std::string, std::string>> mistakes{
+        {"task.settings=agent:motion.wlak=3", "task.settings: k3d-agent: unknown key"},
+        {"task.settings=server:physics.steper=fast", "task.settings: k3d-server: unknown key"},
+        {"test.settings=server:physics.steper=exact", "test.settings: k3d-server: unknown key"},
+        {"task.agent_program=/bin/false", "/bin/false --print-fields: exit code 1"}};
+    for (const auto& [setting, says] : mistakes) {
+        const int code = run({"run", walk, "--run", path("a"), "--set", setting}, "said");
+        EXPECT_EQ(code, setting.find("program") == std::string::npos ? 2 : 1);
+        EXPECT_THAT(content("said"), HasSubstr(says));
+        EXPECT_FALSE(std::filesystem::exists(path("a"))) << "nothing was begun";
     }
 }
 

@@ -22,12 +22,12 @@ class RoundOfTwo : public testing::Test {
         std::filesystem::create_directories(folder_);
         return ledger::Ledger::create(folder_ + "/ledger.sqlite", {});
     }
-    Round round(int generation) const {
+    Round round(int generation, algorithm::Pool pool = algorithm::Pool::Train) const {
         const JobMaker maker{experiment_, "run"};
-        const algorithm::Request request{0, generation, algorithm::Pool::Train, 2, {}};
+        const algorithm::Request request{0, generation, pool, 2, {}};
         Round round(experiment_);
         for (int i = 0; i < 2; ++i) {
-            round.add(maker.job(std::nullopt, episode::Phase::Train, request, i), ledger_);
+            round.add(maker.job(std::nullopt, phase_of(pool), request, i), ledger_);
         }
         return round;
     }
@@ -71,6 +71,16 @@ TEST_F(RoundOfTwo, AWorkerThatCannotPlayDoesNotEndARunThatHasResults) {
     const auto again = second.take({outcome(second.missing()[0], refused())}, ledger_);
     ASSERT_EQ(again.size(), 1U);
     EXPECT_EQ(again[0].attempt, 2);
+}
+
+TEST_F(RoundOfTwo, ATestThatNobodyCanPlayIsNoResultOfZero) {
+    Round search = round(0);
+    for (const episode::Job& job : search.missing()) {
+        search.take({outcome(job, k3d::episode::Result())}, ledger_);
+    }
+    Round test = round(0, algorithm::Pool::Test);
+    EXPECT_THROW(test.take({outcome(test.missing()[0], refused())}, ledger_), HopelessRun);
+    EXPECT_EQ(ledger_.rows().size(), 2U) << "none of the test";
 }
 
 TEST_F(RoundOfTwo, ACandidateHasFailedIfNoneOfItsEpisodesHadAResult) {

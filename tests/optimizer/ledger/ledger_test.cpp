@@ -130,6 +130,21 @@ TEST_F(LedgerFile, EverythingIsThereWhenItIsOpenedAgain) {
     EXPECT_EQ(ledger.totals().failed, 1U);
 }
 
+TEST_F(LedgerFile, TellsResultsOfTheTestFromThoseOfTheSearch) {
+    Ledger ledger = create();
+    Row failed = row(0, 1, 0, 0.0);
+    failed.status = "failed";
+    ledger.add({failed});
+    EXPECT_FALSE(ledger.has_result(false));
+    ledger.add({row(0, 1, 1, 1.0)});
+    EXPECT_TRUE(ledger.has_result(false));
+    EXPECT_FALSE(ledger.has_result(true));
+    Row baseline = row(0, 0, 0, 1.0);
+    baseline.key.phase = Phase::Baseline;
+    ledger.add({baseline});
+    EXPECT_TRUE(ledger.has_result(true));
+}
+
 TEST_F(LedgerFile, WaitsForTheDiskInEveryCall) {
     Ledger ledger = create();
     for (int i = 0; i < 3; ++i) {

@@ -28,6 +28,14 @@ TEST(DrillTable, EachMetricOverTheRunsThatHaveIt) {
     EXPECT_THAT(text, HasSubstr("runs with a valid result: 3 of 4\n"));
 }
 
+TEST(DrillTable, RunsThatCountAsPlayedBeforeHaveTheFirstSeeds) {
+    spec::DrillSpec spec;
+    spec.seed = 7;
+    spec.first = 3;
+    spec.runs = 2;
+    EXPECT_THAT(drill_table(spec, {}), HasSubstr("seeds 10 to 11\n"));
+}
+
 TEST(DrillTable, NoRunsNoRows) {
     EXPECT_THAT(drill_table({}, {}), HasSubstr("ended by:\nruns with a valid result: 0 of 10\n"));
 }

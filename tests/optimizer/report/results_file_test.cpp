@@ -49,10 +49,29 @@ TEST_F(ResultsFileTest, ALineWaitsForThoseBeforeIt) {
     EXPECT_EQ(seeds(), (Seeds{10, 12, 14, 15}));
 }
 
-TEST_F(ResultsFileTest, StartsEmpty) {
-    { ResultsFile(path_).settle(0, result(1)); }
+TEST_F(ResultsFileTest, TheFirstLineTakesThePlaceOfWhatTheFileHeld) {
+    ResultsFile(path_).settle(0, result(1));
+    { ResultsFile nothing_came(path_); }
+    EXPECT_EQ(seeds(), Seeds{1}) << "nothing is there to take its place";
     ResultsFile file(path_);
+    file.settle(0, std::nullopt);
+    EXPECT_EQ(seeds(), Seeds{1});
+    file.settle(1, result(3));
+    file.settle(2, result(4));
+    EXPECT_EQ(seeds(), (Seeds{3, 4}));
+}
+
+TEST_F(ResultsFileTest, WithoutAnyResultItIsEmptyAtTheEnd) {
+    ResultsFile(path_).settle(0, result(1));
+    ResultsFile file(path_);
+    file.settle(0, std::nullopt);
+    file.close();
     EXPECT_EQ(seeds(), Seeds{});
+}
+
+TEST_F(ResultsFileTest, WhatWaitsIsNotLostWithAnError) {
+    ResultsFile(path_).settle(1, result(2));
+    EXPECT_EQ(seeds(), Seeds{2});
 }
 
 TEST_F(ResultsFileTest, NamesAFileThatCannotBeWritten) {

@@ -88,8 +88,9 @@ TEST(Champion, IsWrittenAsTheAgentReadsIt) {
 }
 
 /// Of a search for keeper.hold that found 0.1 among these fixed settings.
-std::string file_with(const std::string& settings) {
+std::string file_with(const std::string& settings, const std::string& tuned = "keeper") {
     spec::Experiment e;
+    e.task.tuned = tuned;
     e.parameters = {{"keeper.hold", 1.0, 1.0, 0.0, 5.0}};
     e.task.settings = settings;
     algorithm::Champion champion;
@@ -100,6 +101,11 @@ std::string file_with(const std::string& settings) {
 TEST(Champion, CarriesWhatItsSearchFixedForTheAgents) {
     EXPECT_EQ(file_with("server:physics.stepper=fast agent:keeper.tie=2 keeper:keeper.hold=9"),
               "# who\n\n[keeper]\nhold = 0.1\ntie = 2\n");
+}
+
+TEST(Champion, OfTakersCarriesWhatWasFixedForTakers) {
+    EXPECT_EQ(file_with("agent:keeper.tie=2 keeper:keeper.x=1 taker:taker.top_speed=0.66", "taker"),
+              "# who\n\n[keeper]\nhold = 0.1\ntie = 2\n\n[taker]\ntop_speed = 0.66\n");
 }
 
 TEST(Champion, HasFixedTextsInQuotes) {

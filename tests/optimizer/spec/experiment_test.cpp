@@ -13,6 +13,7 @@
 
 #include "common/config/config.h"
 #include "optimizer/algorithm/algorithm.h"
+#include "optimizer/spec/ask.h"
 
 namespace k3d::optimizer::spec {
 namespace {
@@ -122,6 +123,25 @@ TEST(Experiment, NamesFileLineAndValueOfEveryFault) {
     for (const auto& [toml, fault] : faults) EXPECT_THAT(fault_of(toml), HasSubstr(fault)) << toml;
 }
 
+TEST(Experiment, NamesWhatNobodyWouldRead) {
+    const std::vector<std::pair<std::string, std::string>> faults{
+        {std::string(kHold) + "[task]\nname = \"kick\"\nworst = -1\ndrill = \"setup.wlak_m=3\"\n",
+         "exp.toml:8: \"task.drill\" is no list of a drill's settings: unknown key "
+         "\"setup.wlak_m\""},
+        {std::string(kHold) + "[algorithm.neat]\npopulation = 77\n",
+         "exp.toml:5: \"algorithm.neat\" is of another algorithm than algorithm.name, \"cmaes\""},
+        {std::string(kHold) + "[network]\nbound = 3.0\n",
+         "exp.toml:5: \"network.path\" is missing"},
+        {std::string(kHold) + "[task]\nname = \"kick\"\nworst = -1\nlobby_s = 9\n",
+         "exp.toml:8: \"task.lobby_s\" is for keepaway, but the task is kick"},
+        {std::string(kHold) + "[task]\ntuned = \"taker\"\n",
+         "exp.toml:5: \"task.fitness\" is missing: takers want \"-hold_time_s\""},
+        {std::string(kHold) + "[task]\ntuned = \"agent\"\ntaker_command = \"a {port}\"\n",
+         "exp.toml:6: \"task.tuned\" is \"agent\", but task.taker_command takes no settings"},
+    };
+    for (const auto& [toml, fault] : faults) EXPECT_THAT(fault_of(toml), HasSubstr(fault)) << toml;
+}
+
 TEST(Experiment, ElementsOfAListAreTunedWithinIt) {
     const Experiment e = parse(
         "name = \"a\"\n[parameters.motion.kick.times.1]\nlower = 0.1\nupper = 0.9\n"
@@ -154,6 +174,18 @@ TEST(Experiment, AParameterMayBeAddedBesideTheFile) {
     EXPECT_EQ(e.parameters[1].name, "motion.walk.step");
     EXPECT_THROW(parse_experiment(kHold, "exp.toml", fields(), read, {step[0]}), config::ConfigError)
         << "upper is missing";
+}
+
+TEST(Experiment, AnotherAlgorithmMayBeTriedBesideTheFile) {
+    const std::string toml = std::string(kHold) + "[algorithm.cmaes]\npopulation = 8\n";
+    const auto with = [&](const Overrides& overrides) {
+        return parse_experiment(toml, "exp.toml", fields(), read, overrides).algorithm.name;
+    };
+    EXPECT_EQ(with({"algorithm.name=random_search", "algorithm.random_search.population=9"}),
+              "random_search");
+    EXPECT_THROW(with({"algorithm.random_search.population=9"}), config::ConfigError);
+    EXPECT_THROW(with({"algorithm.name=random_search", "algorithm.cmaes.population=9"}),
+                 config::ConfigError);
 }
 
 TEST(Experiment, TellsAllFaultsAtOnce) {
@@ -197,6 +229,7 @@ TEST(Experiment, ThoseInTheTreeAreSound) {
         const Experiment e = parse_experiment(content(file), file, real, content);
         EXPECT_EQ(e.name + ".toml", file);
         EXPECT_NO_THROW(algorithm::Algorithm(e.algorithm, problem_of(e), e.seed)) << file;
+        EXPECT_NO_THROW(require_taken(file, e.task, parse_settings(test_settings(e))));
         ++count;
     }
     EXPECT_GE(count, 10);

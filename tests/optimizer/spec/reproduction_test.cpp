@@ -10,8 +10,12 @@
 #include <filesystem>
 #include <fstream>
 #include <set>
+#include <sstream>
 
 #include "common/config/config.h"
+#include "optimizer/algorithm/algorithm.h"
+#include "optimizer/spec/experiment.h"
+#include "optimizer/spec/words.h"
 
 namespace k3d::optimizer::spec {
 namespace {
@@ -23,6 +27,12 @@ TEST(Reproduction, EverySearchHasItsExperimentAndItsPart) {
         EXPECT_TRUE(std::filesystem::exists(kFolder + "/" + search.name + ".toml")) << search.name;
         EXPECT_NE(std::find(kParts.begin(), kParts.end(), search.part), kParts.end()) << search.name;
     }
+}
+
+std::string content(const std::string& name) {
+    std::ostringstream text;
+    text << std::ifstream(kFolder + "/" + name).rdbuf();
+    return text.str();
 }
 
 class Budgets : public testing::TestWithParam<std::string> {};
@@ -45,6 +55,17 @@ TEST_P(Budgets, GivesWholeTables) {
     EXPECT_EQ(names.contains("table1-greedy"), GetParam() != "small") << "it has no time for both";
     EXPECT_TRUE(names.contains("table1-greedy_random"));
     EXPECT_TRUE(names.contains("transfer-4v3"));
+}
+
+TEST_P(Budgets, SetsWhatItsSearchesTake) {
+    const Budget budget = load_budget(kFolder + "/reproduce/" + GetParam() + ".toml");
+    const AgentFields fields = ask_agent_fields(K3D_BIN_DIR "/k3d-agent");
+    for (const auto& [name, search] : budget.searches) {
+        if (search.runs == 0) continue;
+        const Experiment e = parse_experiment(content(name + ".toml"), name, fields, content,
+                                              split_words(search.set));
+        EXPECT_NO_THROW(algorithm::Algorithm(e.algorithm, problem_of(e), e.seed)) << name;
+    }
 }
 
 INSTANTIATE_TEST_SUITE_P(Reproduction, Budgets, testing::Values("small", "paper", "large", "published"));

@@ -43,7 +43,6 @@ const std::vector<k3d::config::ShortFlag> kFlags{
     {"--keeper-policy", "keeper.policy", "handcoded, still, hold, random or a network file"},
     {"--taker", "taker.strategy", "greedy or greedy_random (default greedy)"},
     {"--keepers", "keepaway.keepers", "keepers in the game (default 3)"},
-    {"--takers", "keepaway.takers", "takers in the game (default 2)"},
     {"--seed", "seed", "seed of the agent's random streams"},
     {"--patience-s", "patience", "seconds to wait for the server (default 60)"},
 };

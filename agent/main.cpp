@@ -6,7 +6,9 @@
 #include <chrono>
 #include <csignal>
 #include <memory>
+#include <optional>
 #include <span>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -43,7 +45,6 @@ const std::vector<k3d::config::ShortFlag> kFlags{
     {"--keeper-policy", "keeper.policy", "handcoded, still, hold, random or a network file"},
     {"--taker", "taker.strategy", "greedy or greedy_random (default greedy)"},
     {"--keepers", "keepaway.keepers", "keepers in the game (default 3)"},
-    {"--takers", "keepaway.takers", "takers in the game (default 2)"},
     {"--seed", "seed", "seed of the agent's random streams"},
     {"--patience-s", "patience", "seconds to wait for the server (default 60)"},
 };
@@ -79,26 +80,32 @@ void add_flags(CLI::App& app, Options& options) {
 /// One agent: its mind, and its own connection to the server.
 class Player {
   public:
-    /// Connects and asks for a body: scene, then, once a percept came, init (reference 1.5); `(syn)` in
-    /// each frame for sync pace.
+    /// Opens the files that its settings name; the server hears nothing yet.
     Player(const Options& options, const k3d::agent::Config& config)
-        : seat_(options.seat),
+        : options_(options),
+          robot_type_(config.robot_type),
           mind_(config, options.seat, options.telemetry),
-          patience_(static_cast<long>(config.patience * 1000.0)),
-          client_(options.socket.empty()
-                      ? k3d::net::Client(options.host, options.port, patience_)
-                      : k3d::net::Client(k3d::net::UnixPath{options.socket}, patience_)) {
+          patience_(static_cast<long>(config.patience * 1000.0)) {}
+
+    /// Connects and asks for a body: scene, then, once a percept came, init (reference 1.5);
+    /// `(syn)` in each frame for sync pace.
+    void connect() {
+        if (options_.socket.empty()) {
+            client_.emplace(options_.host, options_.port, patience_);
+        } else {
+            client_.emplace(k3d::net::UnixPath{options_.socket}, patience_);
+        }
         k3d::wire::Commands scene;
-        scene.scene = {"rsg/agent/nao/nao_hetero.rsg", {std::to_string(config.robot_type)}};
+        scene.scene = {"rsg/agent/nao/nao_hetero.rsg", {std::to_string(robot_type_)}};
         send(scene);
     }
 
     /// Takes the seat; false if the server has closed in order.
     bool sit_down() {
         std::string_view payload;
-        if (!client_.receive(payload, patience_)) return false;
+        if (!client_->receive(payload, patience_)) return false;
         k3d::wire::Commands init;
-        init.init = {seat_.unum, seat_.team};
+        init.init = {options_.seat.unum, options_.seat.team};
         send(init);
         return true;
     }
@@ -106,13 +113,13 @@ class Player {
     /// One cycle; false if the server has closed in order.
     bool play_on() {
         std::string_view payload;
-        if (!client_.receive(payload, patience_)) return false;
+        if (!client_->receive(payload, patience_)) return false;
         mind_.think(payload, reply_);
-        client_.send(reply_);
+        client_->send(reply_);
         if (frames_++ == kFramesUntilSeated && mind_.side() == k3d::wire::Side::None)
-            throw k3d::net::NetError("the server gave no place to number " +
-                                     std::to_string(seat_.unum) + " of team " + seat_.team +
-                                     ": number taken, team full, or a third team");
+            throw k3d::net::NetError(
+                "the server gave no place to number " + std::to_string(options_.seat.unum) +
+                " of team " + options_.seat.team + ": number taken, team full, or a third team");
         return true;
     }
 
@@ -121,13 +128,14 @@ class Player {
         commands.syn = true;
         reply_.clear();
         k3d::wire::encode(commands, reply_);
-        client_.send(reply_);
+        client_->send(reply_);
     }
 
-    k3d::agent::Seat seat_;
+    const Options options_;
+    int robot_type_;
     k3d::agent::Mind mind_;
     std::chrono::milliseconds patience_;
-    k3d::net::Client client_;
+    std::optional<k3d::net::Client> client_;  ///< from connect() on
     std::string reply_;
     long frames_ = 0;
 };
@@ -145,13 +153,16 @@ void play(std::vector<std::unique_ptr<Player>> players) {
 int run(const std::vector<Options>& all) {
     k3d::log::start("k3d-agent", all.front().line.log_level);
     std::signal(SIGPIPE, SIG_IGN);
-    std::vector<std::unique_ptr<Player>> players;
-    for (const Options& options : all) {
-        k3d::agent::Config config;
-        k3d::config::resolve(options.line, k3d::config::describing(config));
-        if (k3d::config::print_wanted(options.line, k3d::config::describing(config))) return 0;
-        players.push_back(std::make_unique<Player>(options, config));
+    // What is wrong with anybody's settings ends all of them before the first one takes a seat.
+    std::vector<k3d::agent::Config> configs(all.size());
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        k3d::config::resolve(all[i].line, k3d::config::describing(configs[i]));
+        if (k3d::config::print_wanted(all[i].line, k3d::config::describing(configs[i]))) return 0;
     }
+    std::vector<std::unique_ptr<Player>> players;
+    for (std::size_t i = 0; i < all.size(); ++i)
+        players.push_back(std::make_unique<Player>(all[i], configs[i]));
+    for (const auto& player : players) player->connect();
     play(std::move(players));
     return 0;
 }
@@ -179,10 +190,14 @@ int parse_and_run(std::span<std::vector<char*>> agents, std::vector<Options>& pa
     Options options;
     add_flags(app, options);
     std::vector<char*>& words = agents.front();
-    return k3d::config::run_program(app, static_cast<int>(words.size()), words.data(), "k3d-agent", [&] {
-        parsed.push_back(options);
-        return agents.size() == 1 ? run(parsed) : parse_and_run(agents.subspan(1), parsed);
-    });
+    return k3d::config::run_program(
+        app, static_cast<int>(words.size()), words.data(), "k3d-agent", [&] {
+            if (!parsed.empty() && app.count("--log-level") > 0)
+                throw std::invalid_argument(
+                    "--log-level is of the whole process: say it before --and");
+            parsed.push_back(options);
+            return agents.size() == 1 ? run(parsed) : parse_and_run(agents.subspan(1), parsed);
+        });
 }
 
 }  // namespace

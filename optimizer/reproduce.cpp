@@ -246,7 +246,8 @@ void require_like(const std::string& file, const network::Definition& model) {
     const network::Network network(network::load_file(file), file);
     std::vector<std::string_view> inputs;
     for (const network::Input& input : model.inputs) inputs.push_back(input.name);
-    network::require_shape(network, inputs, model.outputs.size(), file);
+    const std::vector<std::string_view> outputs(model.outputs.begin(), model.outputs.end());
+    network::require_shape(network, inputs, outputs, file);
 }
 
 /// The same of one that keepers take: for K1's targets, or for K3's places too.

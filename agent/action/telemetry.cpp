@@ -2,7 +2,9 @@
 // Turns beliefs and decisions into JSON lines.
 #include "agent/action/telemetry.h"
 
+#include <cerrno>
 #include <cmath>
+#include <cstring>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
@@ -72,14 +74,19 @@ json scored(const decision::Account& account, const Absolute& absolute) {
     return out;
 }
 
+/// Right after the fault: the reason is errno's.
+std::string cannot_write(const std::string& path) {
+    return "cannot write telemetry to " + path + ": " + std::strerror(errno);
+}
+
 }  // namespace
 
 Telemetry::Telemetry(const std::string& path, const std::string& team, double belief_interval,
                      bool targets)
-    : team_(team), belief_interval_(belief_interval), targets_(targets) {
+    : path_(path), team_(team), belief_interval_(belief_interval), targets_(targets) {
     if (path.empty()) return;
     file_.open(path, std::ios::trunc);
-    if (!file_) throw std::invalid_argument("cannot write telemetry file " + path);
+    if (!file_) throw std::invalid_argument(cannot_write(path));
 }
 
 void Telemetry::record(const world::Beliefs& b, const motion::State& body,
@@ -90,7 +97,9 @@ void Telemetry::record(const world::Beliefs& b, const motion::State& body,
     const auto write = [&](const char* event, const json& more) {
         json line{{"time", rounded(b.now)}, {"event", event}};
         line.update(more);
-        file_ << line.dump() + "\n" << std::flush;
+        // The server's words (the play mode) may be any bytes; JSON is UTF-8.
+        file_ << line.dump(-1, ' ', false, json::error_handler_t::replace) + "\n" << std::flush;
+        if (!file_) throw std::runtime_error(cannot_write(path_));
     };
 
     if (!started_) {

@@ -26,16 +26,19 @@ namespace k3d::agent::action {
 class Telemetry {
   public:
     /// Writes nothing if `path` is empty. Throws std::invalid_argument if the file cannot be
-    /// written. Each line goes out whole, so that a killed agent leaves no half of one.
+    /// opened, with the reason. Each line goes out whole, so that a killed agent leaves no half of
+    /// one.
     /// `targets`: beliefs tell all targets that K1 has scored.
     Telemetry(const std::string& path, const std::string& team, double belief_interval,
               bool targets = false);
 
-    /// Once a cycle.
+    /// Once a cycle. Throws std::runtime_error if a line cannot be written, when the disk is full,
+    /// say: who counts kick attempts must not take a file that ends early for a match without any.
     void record(const world::Beliefs& beliefs, const motion::State& body,
                 const decision::Decision& decision);
 
   private:
+    std::string path_;
     std::ofstream file_;
     std::string team_;
     double belief_interval_;

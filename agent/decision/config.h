@@ -12,12 +12,10 @@ namespace k3d::agent::decision {
 struct KeepawayConfig {
     double side = 10.0;
     int keepers = 3;
-    int takers = 2;
 
     void describe(config::Fields& f) {
         f.number("side", side, {4.0, 20.0}, "m", "side of the square area about the field's centre");
         f.integer("keepers", keepers, {1, 11}, "", "keepers in the game");
-        f.integer("takers", takers, {0, 11}, "", "takers in the game");
     }
 };
 

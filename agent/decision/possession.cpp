@@ -132,7 +132,7 @@ PossessionBehaviour make_possession(const PossessionConfig& config, const skills
     if (config.chooser == "random") chooser = choose_by_chance(chances);
     if (!config.network.empty()) {
         network::Network net(network::load_file(config.network), config.network);
-        network::require_shape(net, kPossessionInputs, kPossessionStates, config.network);
+        network::require_shape(net, kPossessionInputs, kPossessionOutputs, config.network);
         chooser = network_chooser<PossessionInput>(std::move(net), possession_variables);
     }
     return {std::move(actions), std::move(chooser), kGoToFinish, kHold};

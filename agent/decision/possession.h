@@ -39,6 +39,9 @@ inline constexpr std::size_t kPossessionStates = 4;
 inline constexpr std::array<std::string_view, 6> kPossessionInputs{
     "agent_ball", "agent_finish", "ball_finish", "ball_agent_finish_deg", "target_agent_deg",
     "approach"};
+/// The network's outputs, in the order of PossessionState.
+inline constexpr std::array<std::string_view, kPossessionStates> kPossessionOutputs{
+    "intercept", "go_to_finish", "position", "hold"};
 using PossessionVariables = std::array<double, kPossessionInputs.size()>;
 PossessionVariables possession_variables(const PossessionInput& input);
 

@@ -32,7 +32,7 @@ double pitch_of(const Vec3& v) {
 }  // namespace
 
 Leg::Leg(const nao::Model& model, Side side)
-    : side_(side), foot_(side == Side::Right ? nao::Part::RFoot : nao::Part::LFoot) {
+    : foot_(side == Side::Right ? nao::Part::RFoot : nao::Part::LFoot) {
     const auto& ids = side == Side::Right ? kRightLeg : kLeftLeg;
     std::array<Vec3, 6> hinge;  // torso frame at zero pose
     const PartPoses zero = forward(model, {});

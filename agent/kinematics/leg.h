@@ -28,7 +28,6 @@ class Leg {
   public:
     Leg(const nao::Model& model, Side side);
 
-    Side side() const { return side_; }
     /// Centre of the hip, where its three axes meet.
     const Vec3& hip() const { return hip_; }
     /// Sole pose of the straight leg.
@@ -42,7 +41,6 @@ class Leg {
     bool solve(const SolePose& target, nao::JointArray& joints) const;
 
   private:
-    Side side_;
     std::array<const nao::JointDef*, 6> joints_;  ///< hip yaw-pitch ... ankle roll
     nao::Part foot_;
     Vec3 hip_;           ///< torso frame

@@ -35,8 +35,6 @@ class Particles {
     Cluster weigh(const perception::View& view, const Landmarks& landmarks,
                   const SensedPoses& sensed);
 
-    std::size_t size() const { return particles_.size(); }
-
   private:
     struct Particle {
         Vec2 position;

@@ -17,14 +17,13 @@ constexpr double kStopMargin = radians(0.3);
 void JointControl::step(const nao::JointArray& measured, const JointTargets& targets,
                         nao::JointArray& rates) {
     rates.fill(0.0);
-    predicted_ = measured;
     for (const nao::JointDef& joint : model_.joints) {
         const std::size_t i = nao::index(joint.id);
-        predicted_[i] = measured[i] + previous_[i] * kCycleSeconds;
+        // At the end of the running cycle.
+        const double expected = measured[i] + previous_[i] * kCycleSeconds;
         const double target =
             std::clamp(targets.angle[i], joint.min + kStopMargin, joint.max - kStopMargin);
-        rates[i] =
-            std::clamp((target - predicted_[i]) / kCycleSeconds, -joint.max_rate, joint.max_rate);
+        rates[i] = std::clamp((target - expected) / kCycleSeconds, -joint.max_rate, joint.max_rate);
     }
     previous_ = rates;
 }

@@ -17,13 +17,10 @@ class JointControl {
 
     /// Speeds that bring the joints to `targets`, within each joint's top speed and stops.
     void step(const nao::JointArray& measured, const JointTargets& targets, nao::JointArray& rates);
-    /// The angles at the end of the running cycle, as the last step() expected them.
-    const nao::JointArray& predicted() const { return predicted_; }
 
   private:
     const nao::Model& model_;
     nao::JointArray previous_{};
-    nao::JointArray predicted_{};
 };
 
 }  // namespace k3d::agent::motion

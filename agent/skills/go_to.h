@@ -41,7 +41,6 @@ class GoTo {
   public:
     motion::BodyRequest step(const Pose2& self, const Pose2& goal,
                              std::span<const Obstacle> obstacles, const SkillConfig& config);
-    bool arrived() const { return arrived_; }
     void reset() { arrived_ = false; }
 
   private:

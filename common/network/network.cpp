@@ -149,16 +149,22 @@ void Network::evaluate(std::span<const double> inputs, State& state,
 }
 
 void require_shape(const Network& network, std::span<const std::string_view> inputs,
-                   std::size_t outputs, std::string_view source) {
+                   std::span<const std::string_view> outputs, std::string_view source) {
     const Definition& d = network.definition();
+    const auto differs = [source](std::string_view what, std::size_t i, std::string_view got,
+                                  std::string_view expected) {
+        fail(source, fmt::format("{} {} is \"{}\", expected \"{}\"", what, i + 1, got, expected));
+    };
     if (d.inputs.size() != inputs.size())
         fail(source, fmt::format("has {} inputs, {} are needed", d.inputs.size(), inputs.size()));
     for (std::size_t i = 0; i < inputs.size(); ++i)
-        if (d.inputs[i].name != inputs[i])
-            fail(source, fmt::format("input {} is \"{}\", expected \"{}\"", i + 1, d.inputs[i].name,
-                                     inputs[i]));
-    if (d.outputs.size() != outputs)
-        fail(source, fmt::format("has {} outputs, {} are needed", d.outputs.size(), outputs));
+        if (d.inputs[i].name != inputs[i]) differs("input", i, d.inputs[i].name, inputs[i]);
+    if (d.outputs.size() != outputs.size())
+        fail(source,
+             fmt::format("has {} outputs, {} are needed", d.outputs.size(), outputs.size()));
+    if (outputs.size() == 1) return;  // there is nothing to take it for
+    for (std::size_t i = 0; i < outputs.size(); ++i)
+        if (d.outputs[i] != outputs[i]) differs("output", i, d.outputs[i], outputs[i]);
 }
 
 }  // namespace k3d::network

@@ -112,9 +112,10 @@ class Network {
     std::vector<std::size_t> outputs_;    // slots; inputs first, then nodes in definition order
 };
 
-/// Checks that the network takes exactly these inputs, in this order, and gives `outputs` values;
-/// throws NetworkError that names `source` and the difference.
+/// Checks that the network takes exactly these inputs and gives exactly these outputs, in this
+/// order; an output that is the only one may have any name. Throws NetworkError that names `source`
+/// and the difference.
 void require_shape(const Network& network, std::span<const std::string_view> inputs,
-                   std::size_t outputs, std::string_view source);
+                   std::span<const std::string_view> outputs, std::string_view source);
 
 }  // namespace k3d::network

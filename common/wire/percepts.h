@@ -103,13 +103,17 @@ struct Percepts {
     Spare spare;
 };
 
+/// No time, angle, length or force of a match is as large.
+inline constexpr double kLargestPercept = 1e9;
+
 /// Appends the frame's payload (no length prefix) to `out`, in the order of reference 3.2.
 /// Players of See stand where the caller put them. `model` fixes which joints are sent.
 void encode(const Percepts& percepts, const nao::Model& model, std::string& out);
 
 /// Parses a payload into `percepts` (which is reset first; buffers are reused).
-/// Unknown groups are skipped and counted, damaged ones dropped and counted: the return value is
-/// that count, 0 for a clean frame. Never throws, whatever the bytes.
+/// Unknown groups are skipped and counted, damaged ones (a number beyond kLargestPercept is damage,
+/// too) dropped and counted: the return value is that count, 0 for a clean frame. Never throws,
+/// whatever the bytes.
 int decode(std::string_view payload, Percepts& percepts);
 
 }  // namespace k3d::wire

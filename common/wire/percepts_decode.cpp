@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Reading a percept frame. Every group is judged alone: what is unknown or damaged is counted and
 // left out, the rest of the frame stands.
+#include <cmath>
+
 #include "common/sexpr/reader.h"
 #include "common/wire/percepts.h"
 
@@ -14,10 +16,16 @@ using sexpr::Node;
 constexpr std::size_t kUsualPlayers = 21;
 constexpr std::size_t kUsualLines = 32;
 
+/// Whoever squares or multiplies what is left gets no infinity, and no nan from one.
+std::optional<double> number(const Node& node) {
+    const auto value = node.number();
+    return value && std::abs(*value) <= kLargestPercept ? value : std::nullopt;
+}
+
 /// The number after `previous`; moves `previous` on to it.
 std::optional<double> next_number(std::optional<Node>& previous) {
     if (previous) previous = previous->next();
-    return previous ? previous->number() : std::nullopt;
+    return previous ? number(*previous) : std::nullopt;
 }
 
 /// `(tag x)`
@@ -214,10 +222,11 @@ class Decoder {
         const auto time = team->next();
         const auto direction = time->next();
         const auto text = direction->next();
-        if (team->is_list() || !time->number() || text->is_list()) return 1;
+        const auto said_at = number(*time);
+        if (team->is_list() || !said_at || text->is_list()) return 1;
         std::optional<double> direction_deg;
         if (direction->atom() != "self") {
-            direction_deg = direction->number();
+            direction_deg = number(*direction);
             if (!direction_deg) return 1;
         }
         Heard heard;
@@ -227,7 +236,7 @@ class Decoder {
         }
         heard.direction_deg = direction_deg;
         heard.team = team->atom();
-        heard.time = *time->number();
+        heard.time = *said_at;
         heard.text = text->atom();
         percepts_.heard.push_back(std::move(heard));
         return 0;

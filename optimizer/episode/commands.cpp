@@ -122,9 +122,7 @@ std::vector<std::string> agent_command(const spec::MatchSpec& spec, const Task& 
                                    "--seed",
                                    std::to_string(task.seed),
                                    "--keepers",
-                                   std::to_string(spec.keepers),
-                                   "--takers",
-                                   std::to_string(spec.takers)};
+                                   std::to_string(spec.keepers)};
     add(words, "--socket", socket);
     const spec::Settings settings = spec::parse_settings(spec.settings);
     if (seat.keeper) {

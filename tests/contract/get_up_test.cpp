@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Getting up in the server's physics, from falls to every side and with limbs anywhere.
+#include "agent/motion/getup/get_up.h"
+
 #include <gtest/gtest.h>
 
 #include <array>
 #include <cmath>
 
-#include "agent/motion/getup/get_up.h"
-#include "common/config/config.h"
 #include "common/random/stream.h"
 #include "contract/engine_rig.h"
 
@@ -97,14 +97,6 @@ TEST(GetUpContract, FindsTheSideItLiesOn) {
     EXPECT_EQ(lying_on({-1, 0, 0.1}), Lying::OnFront);
     EXPECT_EQ(lying_on({0, 1, 0}), Lying::OnRight);
     EXPECT_EQ(lying_on({0.2, -0.97, 0}), Lying::OnLeft);
-}
-
-TEST(GetUpConfig, TheFileHoldsTheTunedValues) {
-    Config from_file;
-    config::load_file(config::describing(from_file), K3D_SOURCE_DIR "/agent/config/getup.toml");
-    Config tuned;
-    EXPECT_EQ(config::print(config::describing(from_file)),
-              config::print(config::describing(tuned)));
 }
 
 }  // namespace

@@ -62,12 +62,5 @@ TEST(KickByType, OtherTypesTakeTheCommonKickAndOnlyTypeZeroKicksAside) {
     }
 }
 
-TEST(KickByType, TheFileHoldsTheTunedValues) {
-    KickByType from_file;
-    config::load_file(config::describing(from_file), K3D_SOURCE_DIR "/agent/config/kick_by_type.toml");
-    KickByType tuned;
-    EXPECT_EQ(config::print(config::describing(from_file)), config::print(config::describing(tuned)));
-}
-
 }  // namespace
 }  // namespace k3d::contract

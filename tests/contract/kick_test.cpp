@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "agent/motion/kick/kick_engine.h"
-#include "common/config/config.h"
 #include "common/random/stream.h"
 #include "contract/engine_rig.h"
 
@@ -192,14 +191,6 @@ TEST(KickReach, TheLongestSwingIsForWhatTheOthersDoNotReach) {
     config.farthest.on = false;
     EXPECT_FALSE(suits(config, farthest, from + 0.1));
     EXPECT_TRUE(suits(config, straight, from + 0.1));
-}
-
-TEST(KickConfig, TheFileHoldsTheTunedValues) {
-    Config from_file;
-    config::load_file(config::describing(from_file), K3D_SOURCE_DIR "/agent/config/kick.toml");
-    Config tuned;
-    EXPECT_EQ(config::print(config::describing(from_file)),
-              config::print(config::describing(tuned)));
 }
 
 }  // namespace

@@ -34,7 +34,6 @@ MindsRig::MindsRig(int keepers, int takers, std::uint64_t seed)
       game_(config_, seed, *scene_) {
     agent::Config settings;
     settings.keepaway.keepers = keepers;
-    settings.keepaway.takers = takers;
     for (const auto& player : scene_->players) {
         Seat& seat = seats_.emplace_back();
         seat.id = player->id;

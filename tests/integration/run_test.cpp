@@ -109,6 +109,8 @@ TEST_F(Runs, StopsInOrderAndGoesOn) {
     ASSERT_TRUE(exit);
     EXPECT_EQ(exit->code, 130) << content("a.log");
     EXPECT_THAT(content("a.log"), HasSubstr("go on with: k3d-optimizer resume " + path("a")));
+    ASSERT_EQ(run({"resume", path("a"), "--jobs", "4"}, "a.log"), 0) << content("a.log");
+    EXPECT_EQ(failed_tries("a"), "") << "those it stopped are none";
 }
 
 TEST_F(Runs, ASecondDaemonIsTurnedAway) {

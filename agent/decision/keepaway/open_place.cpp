@@ -2,7 +2,9 @@
 #include "agent/decision/keepaway/open_place.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <string_view>
 
 namespace k3d::agent::decision {
 
@@ -10,7 +12,8 @@ namespace {
 
 network::Network load(const std::string& file) {
     network::Network net(network::load_file(file), file);
-    network::require_shape(net, kPlaceFeatureNames, 1, file);
+    constexpr std::array<std::string_view, 1> kCost{"cost"};
+    network::require_shape(net, kPlaceFeatureNames, kCost, file);
     return net;
 }
 

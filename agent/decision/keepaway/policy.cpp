@@ -3,8 +3,11 @@
 #include "agent/decision/keepaway/policy.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <filesystem>
 #include <limits>
+#include <string_view>
 
 namespace k3d::agent::decision {
 
@@ -30,17 +33,29 @@ std::vector<Vec2> target_grid(double area, const EvaluationConfig& c) {
     return grid;
 }
 
+namespace {
+
+// A network's outputs.
+constexpr std::array<std::string_view, 1> kTargetCost{"cost"};
+constexpr std::array<std::string_view, 2> kBothCosts{"cost", "place"};
+
+}  // namespace
+
 Policy load_policy(const std::string& name) {
     if (name == "handcoded") return {};
     if (name == "still") return {.kind = Policy::Kind::Still};
     if (name == "hold") return {.kind = Policy::Kind::Hold};
     if (name == "random") return {.kind = Policy::Kind::Random};
+    if (!std::filesystem::exists(name))
+        throw network::NetworkError("keeper.policy \"" + name +
+                                    "\" is none of handcoded, still, hold, random, and there is no "
+                                    "such network file");
     network::Network net(network::load_file(name), name);
     const bool values_places = net.definition().outputs.size() == 2;
     if (values_places) {
-        network::require_shape(net, kPlaceFeatureNames, 2, name);
+        network::require_shape(net, kPlaceFeatureNames, kBothCosts, name);
     } else {
-        network::require_shape(net, kFeatureNames, 1, name);
+        network::require_shape(net, kFeatureNames, kTargetCost, name);
     }
     return {Policy::Kind::Evaluate, std::move(net), values_places};
 }

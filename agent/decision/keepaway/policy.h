@@ -34,9 +34,9 @@ struct Policy {
     bool values_places = false;            ///< the network's last output is the cost of K3's places
 };
 
-/// `name`: handcoded, still, hold, random, or the path of a network file: inputs f1..f8 and one output,
-/// the cost of K1's targets, or inputs f1..f9 and a second output, the cost of K3's places. Throws
-/// network::NetworkError.
+/// `name`: handcoded, still, hold, random, or the path of a network file: inputs f1..f8 and one
+/// output, the cost of K1's targets, or inputs f1..f9 and two outputs, "cost" and "place", the cost
+/// of K3's places. Throws network::NetworkError.
 Policy load_policy(const std::string& name);
 
 struct Target {

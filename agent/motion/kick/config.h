@@ -40,7 +40,9 @@ struct Swing {
     double stand_s = 0.3;  ///< from the last keyframe to the stand
 
     void describe(config::Fields& f) {
-        f.number("reach_m", reach_m, {0.0, 20.0}, "m", "how far this swing sends the ball");
+        f.number("reach_m", reach_m, {0.0, 20.0}, "m",
+                 "how far this swing sends the ball; types 1 and 3 have motion.kick_by_type's in "
+                 "place of near and far");
         f.numbers("duration_s", duration_s, {0.02, 2.0}, "s", "time to reach each keyframe");
         f.number("stand_s", stand_s, {0.02, 2.0}, "s", "last keyframe to the stand");
         f.section("kicking", kicking);
@@ -84,7 +86,7 @@ struct LongSwing {
     Swing swing;
 
     void describe(config::Fields& f) {
-        f.boolean("on", on, "whether the robot kicks this way");
+        f.boolean("on", on, "whether the robot kicks this way; only type 0 does");
         f.number("from_m", from_m, {0.0, 20.0}, "m", "used where more than this is wanted");
         f.number("stance_share", stance_share, {0.05, 2.0}, "",
                  "error of the stance along the kick, over the other kicks'");
@@ -101,7 +103,7 @@ struct AngledSwing {
     Swing swing;
 
     void describe(config::Fields& f) {
-        f.boolean("on", on, "whether the robot kicks this way");
+        f.boolean("on", on, "whether the robot kicks this way; only type 0 does");
         place.describe(f);
         swing.describe(f);
     }

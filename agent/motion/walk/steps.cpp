@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Feet on the ground stay where they are while the torso moves; the swing foot follows a cubic that
-// leaves and meets the ground with (most of) the ground's speed.
+// Feet on the ground stay where they are while the torso moves; the swing foot goes from where it
+// lifted to where it lands, as gently as swing_ease says; landing_match adds a share of the
+// ground's speed at both ends (the tuned walk: none).
 #include "agent/motion/walk/steps.h"
 
 #include <algorithm>

@@ -144,13 +144,23 @@ TEST_F(TelemetryTest, UnknownBallIsNullAndNothingBeforeTheSide) {
     EXPECT_TRUE(events("belief").at(0)["target"].is_null());
 }
 
-TEST(Telemetry, FileThatCannotBeWrittenIsNamed) {
-    try {
-        Telemetry t("/nonexistent/folder/t.jsonl", "Reds", 0.2);
-        FAIL() << "no error";
-    } catch (const std::invalid_argument& error) {
-        EXPECT_THAT(error.what(), testing::HasSubstr("/nonexistent/folder/t.jsonl"));
-    }
+TEST_F(TelemetryTest, WordsOfTheServerMayBeAnyBytes) {
+    Telemetry t(path_, "Reds", 0.2);
+    world::Beliefs b = seen_from(wire::Side::Left, 10.0);
+    b.game.play_mode = "Play\xffOn\xfe";
+    t.record(b, {}, {});
+    EXPECT_EQ(events("belief").at(0)["mode"], "Play\uFFFDOn\uFFFD");
+}
+
+TEST(Telemetry, SaysWhichFileCannotBeWrittenAndWhy) {
+    EXPECT_THAT(
+        [] { Telemetry("/no/such/folder/t.jsonl", "Reds", 0.2); },
+        testing::ThrowsMessage<std::invalid_argument>(
+            "cannot write telemetry to /no/such/folder/t.jsonl: No such file or directory"));
+    Telemetry full("/dev/full", "Reds", 0.2);
+    EXPECT_THAT([&] { full.record(seen_from(wire::Side::Left, 10.0), {}, {}); },
+                testing::ThrowsMessage<std::runtime_error>(
+                    "cannot write telemetry to /dev/full: No space left on device"));
 }
 
 }  // namespace

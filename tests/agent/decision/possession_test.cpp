@@ -90,6 +90,10 @@ TEST(Possession, NetworkFromAFileChooses) {
     EXPECT_TRUE(test::is_stand(b.get_skill({.beliefs = far, .body = body, .robots = {}})));
     EXPECT_EQ(b.state(), kHold);
 
+    std::swap(d.outputs.front(), d.outputs.back());
+    std::ofstream(path) << network::to_json(d);
+    EXPECT_THROW(make_possession(config, skills::SkillConfig{}, test::simple_kick(), chances(1)),
+                 network::NetworkError);
     d.outputs.pop_back();
     std::ofstream(path) << network::to_json(d);
     EXPECT_THROW(make_possession(config, skills::SkillConfig{}, test::simple_kick(), chances(1)),

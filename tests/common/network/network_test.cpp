@@ -172,10 +172,26 @@ TEST(Network, ShapeIsChecked) {
     const Network network(small(), "net.json");
     const std::string_view right[] = {"a", "b"};
     const std::string_view wrong[] = {"a", "c"};
-    EXPECT_NO_THROW(require_shape(network, right, 1, "net.json"));
-    EXPECT_THROW(require_shape(network, wrong, 1, "net.json"), NetworkError);
-    EXPECT_THROW(require_shape(network, right, 4, "net.json"), NetworkError);
-    EXPECT_THROW(require_shape(network, {right, 1}, 1, "net.json"), NetworkError);
+    const std::string_view one[] = {"any name"};
+    const std::string_view two[] = {"out", "other"};
+    EXPECT_NO_THROW(require_shape(network, right, one, "net.json"));
+    EXPECT_THROW(require_shape(network, wrong, one, "net.json"), NetworkError);
+    EXPECT_THROW(require_shape(network, right, two, "net.json"), NetworkError);
+    EXPECT_THROW(require_shape(network, {right, 1}, one, "net.json"), NetworkError);
+}
+
+TEST(Network, OutputsAreToldApartByTheirNames) {
+    Definition d = small();
+    d.nodes.push_back({"other"});
+    d.outputs = {"other", "out"};
+    const std::string_view inputs[] = {"a", "b"};
+    const std::string_view same[] = {"other", "out"};
+    const std::string_view swapped[] = {"out", "other"};
+    const Network network(d, "net.json");
+    EXPECT_NO_THROW(require_shape(network, inputs, same, "net.json"));
+    EXPECT_THAT(
+        [&] { require_shape(network, inputs, swapped, "net.json"); },
+        testing::ThrowsMessage<NetworkError>("net.json: output 1 is \"other\", expected \"out\""));
 }
 
 }  // namespace

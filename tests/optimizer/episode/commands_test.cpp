@@ -63,7 +63,7 @@ TEST(Commands, RolesDecideWhatAnAgentIsTold) {
     EXPECT_EQ(after(keeper, "--telemetry"), "/f/keeper-2.telemetry.jsonl");
     EXPECT_EQ(after(keeper, "--seed"), "9");
     EXPECT_EQ(after(keeper, "--keepers"), "4");
-    EXPECT_EQ(after(keeper, "--takers"), "3");
+    EXPECT_THAT(keeper, Not(Contains("--takers"))) << "the server's alone";
     const auto taker = agent_command(spec, {0, 9, 1}, "/f", {false, 1}, 4321);
     EXPECT_EQ(after(taker, "--team"), "Takers");
     EXPECT_EQ(after(taker, "--taker"), "greedy_random");

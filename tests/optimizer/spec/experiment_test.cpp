@@ -237,7 +237,7 @@ TEST(Experiment, ThoseInTheTreeAreSound) {
 
 TEST(Experiment, LearnedNetworksTakeWhatTheirSearchStartedFrom) {
     const std::filesystem::path folder = K3D_SOURCE_DIR "/optimizer/experiments";
-    const auto names_of = [](const network::Definition& net) {
+    const auto inputs_of = [](const network::Definition& net) {
         std::vector<std::string_view> names;
         for (const network::Input& input : net.inputs) names.push_back(input.name);
         return names;
@@ -253,7 +253,8 @@ TEST(Experiment, LearnedNetworksTakeWhatTheirSearchStartedFrom) {
         ASSERT_TRUE(start_file) << file;
         const auto start = network::load_file(folder / *start_file);
         const network::Network learned(network::load_file(entry.path()), file);
-        EXPECT_NO_THROW(network::require_shape(learned, names_of(start), start.outputs.size(), file));
+        const std::vector<std::string_view> outputs(start.outputs.begin(), start.outputs.end());
+        EXPECT_NO_THROW(network::require_shape(learned, inputs_of(start), outputs, file));
         ++count;
     }
     EXPECT_GE(count, 1);

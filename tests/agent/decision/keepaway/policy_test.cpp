@@ -2,6 +2,7 @@
 // Tests of the target choice: Algorithm 2 by hand, the grid, ties and hysteresis, network files.
 #include "agent/decision/keepaway/policy.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -80,11 +81,19 @@ TEST(Policy, NamesAndNetworkFiles) {
     EXPECT_EQ(load_policy("random").kind, Policy::Kind::Random);
     const std::string path = write_network(prefers(3, 1.0), "k3d_policy_good.json");
     EXPECT_TRUE(load_policy(path).cost.has_value());
-    EXPECT_THROW(load_policy("handcodet"), network::NetworkError);
+    EXPECT_THAT([] { load_policy("handcodet"); },
+                testing::ThrowsMessage<network::NetworkError>(
+                    "keeper.policy \"handcodet\" is none of handcoded, still, hold, random, and "
+                    "there is no such network file"));
     network::Definition wrong = prefers(3, 1.0);
     wrong.inputs[2].name = "f9";
     wrong.links[0].from = "f9";
     EXPECT_THROW(load_policy(write_network(wrong, "k3d_policy_bad.json")), network::NetworkError);
+    network::Definition swapped = test::prefers_both({"f4", 1.0}, {"f9", 1.0});
+    EXPECT_TRUE(load_policy(write_network(swapped, "k3d_policy_both.json")).values_places);
+    std::swap(swapped.outputs[0], swapped.outputs[1]);
+    EXPECT_THROW(load_policy(write_network(swapped, "k3d_policy_swapped.json")),
+                 network::NetworkError);
 }
 
 const Room kAll = [](const Vec2&) { return 1.0; };

@@ -103,7 +103,7 @@ TEST_F(Match, AServerThatIsNeverReadyIsGivenUp) {
 
 TEST_F(Match, ALineThatIsNoResultIsNamed) {
     server_plays("echo '{\"schema\": 1}' >> $results");
-    EXPECT_THAT(one_failure(), HasSubstr("'game' not found"));
+    EXPECT_THAT(one_failure(), HasSubstr("no game"));
 }
 
 TEST_F(Match, NoLineIsNoResult) {

@@ -139,6 +139,7 @@ class Duel : public ::testing::Test {
                    ("k3d-duel-" + std::to_string(getpid()) + ".jsonl")) {
         std::filesystem::remove(results_);
     }
+    ~Duel() override { std::filesystem::remove(results_); }
     std::vector<std::string> flags(std::vector<std::string> more) const {
         std::vector<std::string> all{"--game",    "keepaway", "--pace",    "fast",
                                      "--keepers", "1",        "--takers",  "1",

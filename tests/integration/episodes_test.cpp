@@ -49,6 +49,7 @@ TEST(Episodes, OneServerAndFiveAgentsPlaySeveral) {
         EXPECT_GE(result.players.at(3).distance_m, 1.0) << "takers walk in every episode";
     }
     EXPECT_EQ(seed, 23U);
+    std::filesystem::remove(results);
 }
 
 }  // namespace

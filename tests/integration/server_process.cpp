@@ -48,6 +48,10 @@ ServerProcess::ServerProcess(std::vector<std::string> flags)
     trainer_port_ = to_port(ready.at("monitor"));
 }
 
+ServerProcess::~ServerProcess() {
+    if (!::testing::Test::HasFailure()) std::filesystem::remove(log_file_);
+}
+
 std::string ServerProcess::log() const {
     std::ifstream file(log_file_);
     std::stringstream text;

@@ -25,10 +25,13 @@ inline constexpr int kMostFramesToSeat = 500;
 /// still in its lobby until that one is waited for, see WireAgent::begin_match().
 std::vector<std::string> fast_with_one_agent(std::vector<std::string> more = {});
 
-/// Started on free ports, ended with the object.
+/// Started on free ports, ended with the object; of a test that failed its log stays.
 class ServerProcess {
   public:
     explicit ServerProcess(std::vector<std::string> flags);
+    ServerProcess(const ServerProcess&) = delete;
+    ServerProcess& operator=(const ServerProcess&) = delete;
+    ~ServerProcess();
 
     std::uint16_t agent_port() const { return agent_port_; }
     std::uint16_t trainer_port() const { return trainer_port_; }

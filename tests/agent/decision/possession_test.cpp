@@ -98,7 +98,7 @@ TEST(Possession, NetworkFromAFileChooses) {
     std::ofstream(path) << network::to_json(d);
     EXPECT_THROW(make_possession(config, skills::SkillConfig{}, test::simple_kick(), chances(1)),
                  network::NetworkError);
-    config.network = path + ".missing";
+    std::filesystem::remove(path);
     EXPECT_THROW(make_possession(config, skills::SkillConfig{}, test::simple_kick(), chances(1)),
                  network::NetworkError);
 }

@@ -68,10 +68,14 @@ TEST(TargetGrid, ThePapersEightyOnePointsAndOtherAreas) {
     for (const Vec2& p : target_grid(14.0, kConfig)) EXPECT_LE(p.cwiseAbs().maxCoeff(), 5.6);
 }
 
-std::string write_network(const network::Definition& d, const std::string& name) {
-    const auto path = std::filesystem::path(testing::TempDir()) / (std::to_string(getpid()) + name);
-    std::ofstream(path) << network::to_json(d);
-    return path.string();
+/// What becomes of a network that stands in a file.
+Policy load_written(const network::Definition& d) {
+    struct File {
+        std::string path = testing::TempDir() + "k3d_policy_" + std::to_string(getpid()) + ".json";
+        ~File() { std::filesystem::remove(path); }
+    } const file;
+    std::ofstream(file.path) << network::to_json(d);
+    return load_policy(file.path);
 }
 
 TEST(Policy, NamesAndNetworkFiles) {
@@ -79,8 +83,7 @@ TEST(Policy, NamesAndNetworkFiles) {
     EXPECT_EQ(load_policy("still").kind, Policy::Kind::Still);
     EXPECT_EQ(load_policy("hold").kind, Policy::Kind::Hold);
     EXPECT_EQ(load_policy("random").kind, Policy::Kind::Random);
-    const std::string path = write_network(prefers(3, 1.0), "k3d_policy_good.json");
-    EXPECT_TRUE(load_policy(path).cost.has_value());
+    EXPECT_TRUE(load_written(prefers(3, 1.0)).cost.has_value());
     EXPECT_THAT([] { load_policy("handcodet"); },
                 testing::ThrowsMessage<network::NetworkError>(
                     "keeper.policy \"handcodet\" is none of handcoded, still, hold, random, and "
@@ -88,12 +91,11 @@ TEST(Policy, NamesAndNetworkFiles) {
     network::Definition wrong = prefers(3, 1.0);
     wrong.inputs[2].name = "f9";
     wrong.links[0].from = "f9";
-    EXPECT_THROW(load_policy(write_network(wrong, "k3d_policy_bad.json")), network::NetworkError);
+    EXPECT_THROW(load_written(wrong), network::NetworkError);
     network::Definition swapped = test::prefers_both({"f4", 1.0}, {"f9", 1.0});
-    EXPECT_TRUE(load_policy(write_network(swapped, "k3d_policy_both.json")).values_places);
+    EXPECT_TRUE(load_written(swapped).values_places);
     std::swap(swapped.outputs[0], swapped.outputs[1]);
-    EXPECT_THROW(load_policy(write_network(swapped, "k3d_policy_swapped.json")),
-                 network::NetworkError);
+    EXPECT_THROW(load_written(swapped), network::NetworkError);
 }
 
 const Room kAll = [](const Vec2&) { return 1.0; };

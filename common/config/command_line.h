@@ -36,8 +36,8 @@ struct CommandLine {
 
 /// Adds `flags` and --config, --set, --print-config, --print-fields, --log-level. `example` is
 /// shown with --set; --help shows the values that `defaults` has at the flags' paths. Options are
-/// carried out in the order in which they are added: whoever adds
-/// further flags that set something must do so before.
+/// carried out in the order in which they are added: whoever adds further flags that set something
+/// must do so before.
 void add_flags(CLI::App& app, CommandLine& line, const std::vector<ShortFlag>& flags,
                const std::string& example, const Describe& defaults = {});
 

@@ -4,9 +4,11 @@
 #include <fmt/format.h>
 
 #include <fstream>
+#include <sstream>
 #include <vector>
 
 #include "optimizer/episode/telemetry.h"
+#include "optimizer/spec/ask.h"
 
 namespace k3d::optimizer::episode {
 
@@ -41,12 +43,9 @@ std::optional<int> attempts_of(const spec::MatchSpec& spec, const std::string& f
 }  // namespace
 
 std::string last_line(const std::string& log_file) {
-    const std::vector<std::string> lines = lines_of(log_file);
-    for (auto line = lines.rbegin(); line != lines.rend(); ++line) {
-        // The line before this one, which ends every message about flags, names the flag.
-        if (!line->empty() && !line->starts_with("Run with --help")) return *line;
-    }
-    return "";
+    std::ostringstream text;
+    text << std::ifstream(log_file).rdbuf();
+    return spec::last_words(text.str());
 }
 
 std::string describe_end(const std::string& name, const process::Exit& exit,

@@ -146,18 +146,26 @@ bool are_runs(const std::vector<const ComparedRow*>& rows, const std::string& se
     return files == rows.size() && makers.size() == 1 && makers.begin()->has_value();
 }
 
+bool is_whole(const Comparison& comparison, const ComparedRow& row) {
+    return row.rows.size() >= static_cast<std::size_t>(comparison.table.episodes);
+}
+
 /// Marks the median run of each search by this figure. An even number of runs has two in the
-/// middle, neither of which is it.
+/// middle, neither of which is it; while a run is unfinished, nobody knows which it will be.
 void mark_medians(const Comparison& comparison, ComparedFigure& figure) {
     std::map<std::string, std::vector<std::size_t>> searches;
     for (std::size_t i = 0; i < comparison.rows.size(); ++i) {
         const auto& search = comparison.rows[i].spec.search;
-        if (!search.empty() && figure.lines[i].s.mean) searches[search].push_back(i);
+        if (!search.empty()) searches[search].push_back(i);
     }
     for (auto& [search, lines] : searches) {
         std::vector<const ComparedRow*> rows;
         for (const std::size_t i : lines) rows.push_back(&comparison.rows[i]);
         if (lines.size() < 3 || lines.size() % 2 == 0 || !are_runs(rows, search)) continue;
+        const bool known = std::ranges::all_of(lines, [&](std::size_t i) {
+            return figure.lines[i].s.mean && is_whole(comparison, comparison.rows[i]);
+        });
+        if (!known) continue;
         std::stable_sort(lines.begin(), lines.end(), [&](std::size_t x, std::size_t y) {
             return *figure.lines[x].s.mean < *figure.lines[y].s.mean;
         });
@@ -170,7 +178,7 @@ ComparedLine line_of(const Comparison& comparison, const ComparedRow& row,
                      const std::map<int, double>& base) {
     const auto values = values_of(row, figure);
     ComparedLine line{row.spec.key, row.spec.label, statistics(sample_of(values)), std::nullopt};
-    if (row.rows.size() < static_cast<std::size_t>(comparison.table.episodes)) {
+    if (!is_whole(comparison, row)) {
         line.label +=
             fmt::format(" (unfinished: {} of {})", row.rows.size(), comparison.table.episodes);
     }

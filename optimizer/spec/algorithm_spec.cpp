@@ -78,7 +78,7 @@ void NeatSpec::describe(config::Fields& f) {
 }
 
 void AlgorithmSpec::describe(config::Fields& f) {
-    f.text("name", name, {"cmaes", "cross_entropy", "random_search", "neat"}, "the algorithm");
+    f.text("name", name, kAlgorithmNames, "the algorithm");
     f.integer("max_generations", max_generations, {1, 1e9}, "", "the run ends after these");
     f.number("max_episodes", max_episodes, {0.0, 1e15}, "",
              "no generation begins after these; 0: no limit");

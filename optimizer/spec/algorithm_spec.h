@@ -101,6 +101,10 @@ struct NeatSpec {
     void describe(config::Fields& f);
 };
 
+/// Each has a section of its name in [algorithm].
+inline const std::vector<std::string> kAlgorithmNames{"cmaes", "cross_entropy", "random_search",
+                                                      "neat"};
+
 /// The [algorithm] section of an experiment.
 struct AlgorithmSpec {
     std::string name = "cmaes";      ///< cmaes, cross_entropy, random_search or neat

@@ -36,12 +36,6 @@ bool is_refusal(const Answer& answer) {
     return answer.exit && !answer.exit->signalled && answer.exit->code == config::kExitUsage;
 }
 
-/// The last line that says something.
-std::string last_words(std::string text) {
-    while (!text.empty() && text.back() == '\n') text.pop_back();
-    return text.substr(text.rfind('\n') + 1);
-}
-
 void require_taken_by(const std::string& program, const std::string& what,
                       const std::vector<std::string>& settings) {
     if (settings.empty()) return;
@@ -61,6 +55,16 @@ void require_taken_by(const std::string& program, const std::string& what,
 std::string program_path(const std::string& wanted, const char* name) {
     if (!wanted.empty()) return wanted;
     return (std::filesystem::read_symlink("/proc/self/exe").parent_path() / name).string();
+}
+
+std::string last_words(const std::string& text) {
+    std::istringstream lines(text);
+    std::string last;
+    for (std::string line; std::getline(lines, line);) {
+        // The line before this one, which ends every message about flags, names the flag.
+        if (!line.empty() && !line.starts_with("Run with --help")) last = line;
+    }
+    return last;
 }
 
 Answer ask(const std::vector<std::string>& words) {

@@ -15,6 +15,9 @@ namespace k3d::optimizer::spec {
 /// `wanted`, or if that is empty the program `name` in this program's own folder.
 std::string program_path(const std::string& wanted, const char* name);
 
+/// Of what one of our programs has printed, the last line that tells what was amiss.
+std::string last_words(const std::string& text);
+
 struct Answer {
     std::optional<process::Exit> exit;  ///< none: it did not end in half a minute, and was killed
     std::string text;                   ///< all that it printed

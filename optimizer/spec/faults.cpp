@@ -17,8 +17,6 @@ namespace k3d::optimizer::spec {
 
 namespace {
 
-const std::vector<std::string> kAlgorithmNames{"cmaes", "cross_entropy", "random_search", "neat"};
-
 bool is_name(const std::string& text) {
     return !text.empty() && text.size() <= 64 && text[0] != '.' && text[0] != '-' &&
            std::all_of(text.begin(), text.end(), [](unsigned char c) {

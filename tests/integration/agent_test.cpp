@@ -3,11 +3,7 @@
 // gets no seat says which.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
-#include <filesystem>
-#include <fstream>
-#include <sstream>
 #include <utility>
 
 #include "integration/server_process.h"
@@ -18,18 +14,8 @@ namespace {
 using ::testing::HasSubstr;
 using Flags = std::vector<std::string>;
 
-/// Exit code and what it printed.
-std::pair<int, std::string> run_agent(Flags flags) {
-    const auto log = std::filesystem::temp_directory_path() /
-                     ("k3d-agent-test-" + std::to_string(getpid()) + ".log");
-    std::filesystem::remove(log);
-    flags.insert(flags.begin(), std::string(K3D_BIN_DIR) + "/k3d-agent");
-    process::Child child({flags, log.string(), false});
-    const auto exit = child.wait(kPatience);
-    std::stringstream text;
-    text << std::ifstream(log).rdbuf();
-    std::filesystem::remove(log);
-    return {exit ? exit->code : -1, text.str()};
+std::pair<int, std::string> run_agent(const Flags& flags) {
+    return run_to_end("k3d-agent", flags);
 }
 
 TEST(Agent, WhatIsWrongIsNamedBeforeItConnects) {

@@ -6,7 +6,6 @@
 
 #include <filesystem>
 #include <fstream>
-#include <sstream>
 
 #include "common/episode/result.h"
 #include "common/random/stream.h"
@@ -18,19 +17,7 @@ namespace {
 
 /// Runs the server with flags that must be refused; returns its exit code and what it printed.
 std::pair<int, std::string> refused(const std::vector<std::string>& flags) {
-    const auto log = std::filesystem::temp_directory_path() /
-                     ("k3d-refused-" + std::to_string(getpid()) + ".log");
-    std::filesystem::remove(log);
-    process::Spawn spawn;
-    spawn.arguments = {std::string(K3D_BIN_DIR) + "/k3d-server"};
-    spawn.arguments.insert(spawn.arguments.end(), flags.begin(), flags.end());
-    spawn.log_file = log.string();
-    process::Child child(spawn);
-    const auto exit = child.wait(kPatience);
-    std::stringstream text;
-    text << std::ifstream(log).rdbuf();
-    std::filesystem::remove(log);
-    return {exit ? exit->code : -1, text.str()};
+    return run_to_end("k3d-server", flags);
 }
 
 TEST(BadFlags, EachNamesWhatIsWrong) {

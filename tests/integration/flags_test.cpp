@@ -6,7 +6,6 @@
 
 #include <filesystem>
 #include <fstream>
-#include <sstream>
 
 #include "integration/server_process.h"
 
@@ -17,18 +16,10 @@ using ::testing::HasSubstr;
 
 /// What k3d-server makes of these flags.
 std::string configured(std::vector<std::string> flags) {
-    const auto log = std::filesystem::temp_directory_path() /
-                     ("k3d-flags-" + std::to_string(getpid()) + ".log");
-    std::filesystem::remove(log);
-    flags.insert(flags.begin(), std::string(K3D_BIN_DIR) + "/k3d-server");
     flags.push_back("--print-config");
-    process::Child child({flags, log.string(), false});
-    const auto exit = child.wait(kPatience);
-    EXPECT_TRUE(exit && exit->code == 0);
-    std::stringstream text;
-    text << std::ifstream(log).rdbuf();
-    std::filesystem::remove(log);
-    return text.str();
+    const auto [code, text] = run_to_end("k3d-server", flags);
+    EXPECT_EQ(code, 0) << text;
+    return text;
 }
 
 TEST(Flags, SetWinsOverFlagsWhereverItStands) {

@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
-#include <sstream>
 
 #include "integration/puppets.h"
 
@@ -16,20 +15,9 @@ using ::testing::Not;
 
 /// Exit code and output of a server with these flags that ends by itself.
 std::pair<int, std::string> ended(const std::vector<std::string>& flags) {
-    const auto log = std::filesystem::temp_directory_path() /
-                     ("k3d-output-" + std::to_string(getpid()) + ".log");
-    std::filesystem::remove(log);
-    process::Spawn spawn;
-    spawn.arguments = {std::string(K3D_BIN_DIR) + "/k3d-server", "--agent-port", "0",
-                       "--server-port", "0"};
-    spawn.arguments.insert(spawn.arguments.end(), flags.begin(), flags.end());
-    spawn.log_file = log.string();
-    process::Child child(spawn);
-    const auto exit = child.wait(kPatience);
-    std::stringstream text;
-    text << std::ifstream(log).rdbuf();
-    std::filesystem::remove(log);
-    return {exit ? exit->code : -1, text.str()};
+    std::vector<std::string> all{"--agent-port", "0", "--server-port", "0"};
+    all.insert(all.end(), flags.begin(), flags.end());
+    return run_to_end("k3d-server", all);
 }
 
 TEST(Outputs, AreOpenedBeforeAnybodyIsServed) {

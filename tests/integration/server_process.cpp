@@ -13,6 +13,12 @@ namespace k3d::testing {
 
 namespace {
 
+std::string content(const std::string& path) {
+    std::stringstream text;
+    text << std::ifstream(path).rdbuf();
+    return text.str();
+}
+
 std::string fresh_log_file() {
     static int count = 0;
     const auto folder = std::filesystem::temp_directory_path();
@@ -41,6 +47,16 @@ std::vector<std::string> fast_with_one_agent(std::vector<std::string> more) {
     return flags;
 }
 
+std::pair<int, std::string> run_to_end(const std::string& program, std::vector<std::string> flags) {
+    const std::string log = fresh_log_file();
+    flags.insert(flags.begin(), std::string(K3D_BIN_DIR) + "/" + program);
+    process::Child child({std::move(flags), log, false});
+    const auto exit = child.wait(kPatience);
+    const std::string text = content(log);
+    std::filesystem::remove(log);
+    return {exit ? exit->code : -1, text};
+}
+
 ServerProcess::ServerProcess(std::vector<std::string> flags)
     : log_file_(fresh_log_file()), child_(spawn(std::move(flags), log_file_)) {
     const auto ready = child_.wait_ready(kPatience);
@@ -53,10 +69,7 @@ ServerProcess::~ServerProcess() {
 }
 
 std::string ServerProcess::log() const {
-    std::ifstream file(log_file_);
-    std::stringstream text;
-    text << file.rdbuf();
-    return text.str();
+    return content(log_file_);
 }
 
 bool WireAgent::receive(wire::Percepts& percepts, std::chrono::milliseconds patience) {

@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "common/net/net.h"
@@ -24,6 +25,10 @@ inline constexpr int kMostFramesToSeat = 500;
 /// Flags of a fast server that goes on when its one agent has answered, and only then: it stands
 /// still in its lobby until that one is waited for, see WireAgent::begin_match().
 std::vector<std::string> fast_with_one_agent(std::vector<std::string> more = {});
+
+/// Exit code (-1: it did not end in time, and was killed) and all that it printed of a program of
+/// ours that ends by itself.
+std::pair<int, std::string> run_to_end(const std::string& program, std::vector<std::string> flags);
 
 /// Started on free ports, ended with the object; of a test that failed its log stays.
 class ServerProcess {

@@ -47,6 +47,12 @@ TEST(RequireTaken, NamesTheProgramThatRefuses) {
                 HasSubstr("k3d-agent: \"taker.top_speed\""));
 }
 
+TEST(LastWords, AreThoseThatNameWhatWasAmiss) {
+    EXPECT_EQ(last_words("ready\n--seed: 'x' is no number\nRun with --help for more.\n\n"),
+              "--seed: 'x' is no number");
+    EXPECT_EQ(last_words(""), "");
+}
+
 TEST(RequireTaken, AsksNobodyWhoIsNotThere) {
     TaskSpec task = real_programs();
     task.taker_command = "foreign --port={port}";

@@ -36,7 +36,8 @@ h1 { margin: 0; font-size: 26px; } h2 { margin: 32px 0 8px; font-size: 18px; }
 .plots > * { background: var(--soft); border-radius: 8px; padding: 8px; box-sizing: border-box; }
 table { border-collapse: collapse; } .wide { overflow-x: auto; }
 th, td { padding: 3px 12px; border-bottom: 1px solid var(--rule); text-align: right; }
-th:first-child, td:first-child { text-align: left; } th { color: var(--dim); font-weight: 500; }
+th:first-child, td:first-child, td[colspan] { text-align: left; }
+th { color: var(--dim); font-weight: 500; }
 pre { background: var(--soft); border-radius: 8px; padding: 12px; overflow-x: auto; font-size: 13px; }
 )";
 

@@ -9,13 +9,18 @@ namespace {
 using Clock = std::chrono::steady_clock;
 constexpr std::chrono::milliseconds kAnswer{40};
 constexpr std::chrono::milliseconds kStatus{500};
-const std::string kLoopback = "127.0.0.1";
+
+/// As a URL names it: any address is told as the loopback one, and IPv6 stands in brackets.
+std::string host_of(const std::string& address) {
+    if (address == "0.0.0.0") return "127.0.0.1";
+    if (address == "::") return "[::1]";
+    return address.find(':') == std::string::npos ? address : "[" + address + "]";
+}
 }  // namespace
 
 void Watch::serve(const std::string& address, std::uint16_t port) {
     page_ = std::make_unique<report::RunPage>(address, port, report::run_page_folder());
-    const std::string& host = address == "0.0.0.0" ? kLoopback : address;
-    progress_.say(fmt::format("page: http://{}:{}/", host, page_->port()));
+    progress_.say(fmt::format("page: http://{}:{}/", host_of(address), page_->port()));
     publish_course();
 }
 

@@ -2,6 +2,8 @@
 // Experiments from end to end: the same bytes on any number of jobs and after any death; what is
 // wrong is named.
 #include <gmock/gmock.h>
+#include <netinet/in.h>
+#include <sys/socket.h>
 
 #include <algorithm>
 
@@ -160,6 +162,30 @@ TEST_F(Runs, UsedUpHoursEndItWithAChampion) {
     ASSERT_EQ(run({"show", path("a")}, "shown"), 0);
     EXPECT_THAT(content("shown"), HasSubstr("search ended: simulated_hours"));
     EXPECT_THAT(content("shown"), Not(HasSubstr("champion on test seeds: none")));
+}
+
+/// Whether this machine has an IPv6 loopback.
+bool has_ipv6() {
+    sockaddr_in6 address{};
+    address.sin6_family = AF_INET6;
+    address.sin6_addr = in6addr_loopback;
+    const int fd = ::socket(AF_INET6, SOCK_STREAM, 0);
+    const bool bound =
+        fd >= 0 && ::bind(fd, reinterpret_cast<sockaddr*>(&address), sizeof address) == 0;
+    if (fd >= 0) ::close(fd);
+    return bound;
+}
+
+TEST_F(Runs, TellTheirPagesAddressAsABrowserTakesIt) {
+    if (!has_ipv6()) GTEST_SKIP() << "no IPv6 here";
+    for (const std::string address : {"::1", "::"}) {
+        ASSERT_EQ(run({"run", path("exp.toml"), "--run", path("a" + address), "--http", "0",
+                       "--listen", address, "--set", "algorithm.max_generations=1"},
+                      "a.log"),
+                  0)
+            << content("a.log");
+        EXPECT_THAT(content("a.log"), HasSubstr("page: http://[::1]:"));
+    }
 }
 
 TEST_F(Runs, ADrillIsATask) {

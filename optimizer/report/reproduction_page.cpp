@@ -119,13 +119,13 @@ std::string error_plot(const Comparison& table) {
 /// The champion is a sentence that names the version, so it stands below its search's figures.
 std::string searches_html(const Reproduction& r) {
     std::string out = "<h2>Searches</h2>\n<div class=\"wide\"><table><tr>";
-    const size_t figures = kHeads.size() - 2;
-    for (size_t i = 0; i < figures; ++i) out += "<th>" + kHeads[i] + "</th>";
+    const std::size_t figures = kHeads.size() - 2;
+    for (std::size_t i = 0; i < figures; ++i) out += "<th>" + kHeads[i] + "</th>";
     out += "</tr>\n";
     for (const SearchReport& s : r.searches) {
         const auto said = cells(s);
         out += "<tr>";
-        for (size_t i = 0; i < figures; ++i) out += "<td>" + escape(said[i]) + "</td>";
+        for (std::size_t i = 0; i < figures; ++i) out += "<td>" + escape(said[i]) + "</td>";
         const std::string& version = said[figures];
         const std::string& champion = said[figures + 1];
         out += fmt::format("</tr>\n<tr class=\"dim\"><td colspan=\"{}\">{}</td></tr>\n", figures,

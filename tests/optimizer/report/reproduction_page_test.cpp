@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The report of a reproduction: a search that cannot be read is listed with its reason.
+// The report of a reproduction: who its searches found, and why one cannot be read.
 #include "optimizer/report/reproduction_page.h"
 
 #include <gmock/gmock.h>
@@ -23,6 +23,20 @@ TEST(ReproductionPage, ListsWhatCannotBeRead) {
                 HasSubstr("\n\"kick\",\"2\",\"\",\"\",\"\",\"\",\"\",\"\",\"\",\"\",\"\",\"cannot be read: "
                           "exp.toml:3: unknown key \"\"parameters.kick.old\"\"\"\n"));
     EXPECT_THAT(reproduction_html(reproduction), HasSubstr("cannot be read: exp.toml:3"));
+}
+
+TEST(ReproductionPage, NamesTheChampionBelowItsSearchAndTheVersionUntilThereIsOne) {
+    Reproduction reproduction;
+    SearchReport search;
+    search.search = {"kick", "fig2", "Kick by CMA-ES"};
+    search.version = "0.1.0+abc";
+    reproduction.searches.push_back(search);
+    EXPECT_THAT(reproduction_html(reproduction),
+                HasSubstr("<td>no</td></tr>\n"
+                          "<tr class=\"dim\"><td colspan=\"10\">version 0.1.0+abc</td></tr>\n"));
+    reproduction.searches[0].champion = "candidate 3 of run kick, version 0.1.0+abc";
+    EXPECT_THAT(reproduction_html(reproduction),
+                HasSubstr("<td colspan=\"10\">candidate 3 of run kick, version 0.1.0+abc</td>"));
 }
 
 }  // namespace
